@@ -1,7 +1,6 @@
 #pragma once
 /// Error handling of the C interface: a status code, and an error text per thread.
 
-#include <cmath>
 #include <exception>
 #include <new>
 #include <stdexcept>

@@ -4,9 +4,6 @@
 #include <array>
 #include <cmath>
 #include <cstring>
-#include <exception>
-#include <initializer_list>
-#include <new>
 #include <stdexcept>
 #include <string>
 #include <string_view>

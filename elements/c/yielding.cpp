@@ -1,8 +1,6 @@
 /// Hysteretic laws for C.
 
-#include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <stdexcept>
 #include <string>
 #include <string_view>

@@ -41,11 +41,8 @@ inline CLI::Option* is_positive(CLI::Option* option) {
       "");
 }
 
-/// Draws the standard picture of a results file; throws InputError if Python or its packages are missing.
-void draw(const std::string& results, const std::string& picture);
-
-/// Draws the extremes over the height, with and without links if the file has both runs. Throws as `draw`.
-void draw_profiles(const std::string& results, const std::string& picture);
+/// Draws a picture of a results file, such as "profiles"; throws InputError when Python or its packages are missing.
+void draw(const std::string& results, const std::string& picture, const std::string& kind = "run");
 
 /// Draws the spectrum of a floor such as "left.3" along x or y, with and without links if the file has both runs. If
 /// the output times miss the peak of the acceleration, draws nothing and returns the reason. Throws as `draw`, and
@@ -53,13 +50,7 @@ void draw_profiles(const std::string& results, const std::string& picture);
 std::string draw_floor_spectrum(const std::string& results, const std::string& floor, const std::string& direction,
                                 const std::string& picture);
 
-/// Draws mode shapes; `modes` is the JSON object described in python/pounding/mode_shapes.py. Throws as `draw`.
-void draw_modes(const std::string& modes, const std::string& picture, const std::string& title = {});
-
-/// Draws a pushover curve; `pushover` is the JSON object printed by `pounding pushover --json`. Throws as `draw`.
-void draw_pushover(const std::string& pushover, const std::string& picture, const std::string& title = {});
-
-/// Draws response spectra; `spectra` is the JSON object described in python/pounding/spectra.py. Throws as `draw`.
-void draw_spectra(const std::string& spectra, const std::string& picture);
+/// Draws a JSON object by python/pounding/MODULE.py: "mode_shapes", "pushover_curve" or "spectra". Throws as `draw`.
+void draw_json(const char* module, const std::string& json, const std::string& picture, const std::string& title = {});
 
 }  // namespace pounding::program

@@ -51,31 +51,15 @@ class TemporaryFile {
 
 }  // namespace
 
-void draw(const std::string& results, const std::string& picture) {
-  run_python({.module = "plots", .product = "picture"}, {"-o", picture}, {results});
+void draw(const std::string& results, const std::string& picture, const std::string& kind) {
+  run_python({.module = "plots", .product = "picture"}, {"-o", picture, "--picture=" + kind}, {results});
 }
 
-void draw_profiles(const std::string& results, const std::string& picture) {
-  run_python({.module = "plots", .product = "picture"}, {"-o", picture, "--picture=profiles"}, {results});
-}
-
-void draw_modes(const std::string& modes, const std::string& picture, const std::string& title) {
-  const TemporaryFile file(modes);
+void draw_json(const char* module, const std::string& json, const std::string& picture, const std::string& title) {
+  const TemporaryFile file(json);
   std::vector<std::string> options{"-o", picture};
   if (!title.empty()) options.push_back("--title=" + title);
-  run_python({.module = "mode_shapes", .product = "picture"}, options, {file.name()});
-}
-
-void draw_pushover(const std::string& pushover, const std::string& picture, const std::string& title) {
-  const TemporaryFile file(pushover);
-  std::vector<std::string> options{"-o", picture};
-  if (!title.empty()) options.push_back("--title=" + title);
-  run_python({.module = "pushover_curve", .product = "picture"}, options, {file.name()});
-}
-
-void draw_spectra(const std::string& spectra, const std::string& picture) {
-  const TemporaryFile file(spectra);
-  run_python({.module = "spectra", .product = "picture"}, {"-o", picture}, {file.name()});
+  run_python({.module = module, .product = "picture"}, options, {file.name()});
 }
 
 void add_plot(CLI::App& app) {

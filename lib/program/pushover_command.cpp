@@ -41,7 +41,7 @@ void push_over(const PushoverArguments& given) {
     const std::string picture = given.picture.empty()
                                     ? std::filesystem::path(given.model).stem().string() + of + "_pushover.png"
                                     : given.picture;
-    draw_pushover(pushover_json(found), picture, model.title);
+    draw_json("pushover_curve", pushover_json(found), picture, model.title);
     if (!given.json) std::printf("picture       %s\n", picture.c_str());
   }
   if (!found.path.collapse.empty())

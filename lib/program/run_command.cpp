@@ -145,7 +145,7 @@ void abort_all(const std::string& text, const std::exception& error) {
 void draw_report(const Summary& summary, const std::string& results, std::vector<std::string>& pictures) {
   const std::string name = with_ending(results, "");
   pictures.push_back(name + "-profiles.png");
-  draw_profiles(results, pictures.back());
+  draw(results, pictures.back(), "profiles");
   for (const StructureSummary& s : summary.structures) {
     const auto hardest = std::max_element(s.peak_acceleration.begin(), s.peak_acceleration.end());
     if (hardest == s.peak_acceleration.end()) continue;

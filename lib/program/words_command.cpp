@@ -12,8 +12,7 @@
 #include <pounding/input/keys/studies.hpp>
 #include <pounding/laws/compiled.hpp>
 #include "commands.hpp"
-#include "words_schema.hpp"
-#include "words_text.hpp"
+#include "words.hpp"
 
 namespace pounding::program {
 namespace {

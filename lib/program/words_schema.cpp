@@ -1,17 +1,15 @@
-#include "words_schema.hpp"
+#include "words.hpp"
 
-#include <cmath>
 #include <string>
 #include <vector>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <pounding/core/unit_names.hpp>
+#include <pounding/core/unit_reader.hpp>
 #include <pounding/core/version.hpp>
 #include <pounding/input/keys/studies.hpp>
 #include <pounding/laws/compiled.hpp>
-#include "words_text.hpp"
 
 namespace pounding::program {
 namespace {

@@ -1,4 +1,4 @@
-#include "words_text.hpp"
+#include "words.hpp"
 
 #include <algorithm>
 #include <iterator>

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <optional>
 
 #include <fmt/format.h>
 #include <Eigen/Dense>
@@ -12,7 +11,6 @@
 #include "reproduce/impacts.hpp"
 #include "reproduce/items.hpp"
 #include "reproduce/paper.hpp"
-#include "reproduce/proposed_law.hpp"
 
 namespace pounding::reproduce::cyclic {
 namespace {

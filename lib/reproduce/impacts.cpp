@@ -1,7 +1,6 @@
 #include "reproduce/impacts.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include <fmt/format.h>
 

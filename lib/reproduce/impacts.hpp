@@ -2,7 +2,6 @@
 /// Impacts for the items of the paper, integrated in time by the program.
 
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include <pounding/laws/compiled.hpp>

@@ -2,6 +2,10 @@
 /// Numbers and formulas as printed in the paper, in its units: kN, t, m, s.
 
 #include <array>
+#include <cmath>
+
+#include <pounding/laws/damping_formulas.hpp>
+#include <pounding/laws/exact_damping.hpp>
 
 namespace pounding::reproduce::paper {
 
@@ -29,3 +33,29 @@ inline constexpr std::array<double, 5> velocity_curve{494.32, -1299, 1285, -595.
 inline constexpr double start_eq38 = 61, start_jankowski = 3.5, start_mahmoud = 3.2;
 
 }  // namespace pounding::reproduce::paper
+
+// The paper's Eq. 16 with its Table 2 as functions of the asked restitution and of the number k/v.
+namespace pounding::reproduce {
+
+/// a = c_imp v/k of Eq. 16; k/v is a number that depends on the units chosen.
+inline double proposed_factor(double restitution, double k_over_v) {
+  return laws::naderpour_2015({.restitution = restitution, .closing_speed = 1, .stiffness = 1e3 * k_over_v});
+}
+
+/// Restitution of a free impact with this damping.
+inline double proposed_restitution(double restitution, double k_over_v) {
+  return laws::restitution_of_factor(proposed_factor(restitution, k_over_v));
+}
+
+/// N - 1 of Table 2 at this restitution.
+inline double excess_exponent(double restitution) {
+  return std::log10(proposed_factor(restitution, 10) / proposed_factor(restitution, 1));
+}
+
+/// The number k/v with which Eq. 16 would give exactly the restitution that is asked.
+inline double fitting_k_over_v(double restitution) {
+  const double needed = laws::exact_factor({.restitution = restitution}) / proposed_factor(restitution, 1);
+  return std::pow(needed, 1 / excess_exponent(restitution));
+}
+
+}  // namespace pounding::reproduce

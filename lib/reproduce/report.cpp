@@ -10,85 +10,34 @@
 #include <nlohmann/json.hpp>
 
 namespace pounding::reproduce {
-namespace {
 
+// The writer turns NaN into null.
 using nlohmann::json;
+NLOHMANN_JSON_SERIALIZE_ENUM(Curve::Kind, {{Curve::Kind::line, "line"},
+                                           {Curve::Kind::thin, "thin"},
+                                           {Curve::Kind::dashed, "dashed"},
+                                           {Curve::Kind::points, "points"}})
+static void to_json(json& j, Judgement judgement) { j = word(judgement); }
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Column, name, unit, values)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Curve, label, x, y, kind)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Panel, title, x_label, y_label, x_log, y_log, curves)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Figure, name, of_paper, caption, columns, panels)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Table::Heading, name, unit, decimals)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Table::Row, name, values)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Table, name, title, row_header, headings, rows)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Matrix, name, unit, rows)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Equation, number, tex)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Verdict, place, claim, printed, ours, judgement, reason)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Item, name, title, sections, paragraphs, equations, matrices, figures, tables,
+                                   verdicts)
+
+namespace {
 
 template <class List, class Name>
 const auto& find_in(const List& list, std::string_view name, Name&& name_of) {
   const auto found = std::ranges::find_if(list, [&](const auto& one) { return name_of(one) == name; });
   if (found == list.end()) throw std::out_of_range(fmt::format("this reproduction does not contain \"{}\"", name));
   return *found;
-}
-
-const char* word(Curve::Kind kind) {
-  switch (kind) {
-    case Curve::Kind::line: return "line";
-    case Curve::Kind::thin: return "thin";
-    case Curve::Kind::dashed: return "dashed";
-    case Curve::Kind::points: return "points";
-  }
-  return "";
-}
-
-// JSON has no NaN; missing numbers are null.
-json numbers(const std::vector<double>& values) {
-  json list = json::array();
-  for (const double value : values) list.push_back(std::isfinite(value) ? json(value) : json());
-  return list;
-}
-
-json panel_json(const Panel& panel) {
-  json curves = json::array();
-  for (const Curve& c : panel.curves)
-    curves.push_back({{"label", c.label}, {"x", c.x}, {"y", c.y}, {"kind", word(c.kind)}});
-  return {{"title", panel.title}, {"x_label", panel.x_label}, {"y_label", panel.y_label},
-          {"x_log", panel.x_log}, {"y_log", panel.y_log},     {"curves", curves}};
-}
-
-json figure_json(const Figure& figure) {
-  json columns = json::array(), panels = json::array();
-  for (const Column& c : figure.columns)
-    columns.push_back({{"name", c.name}, {"unit", c.unit}, {"values", numbers(c.values)}});
-  for (const Panel& p : figure.panels) panels.push_back(panel_json(p));
-  return {{"name", figure.name},
-          {"of_paper", figure.of_paper},
-          {"caption", figure.caption},
-          {"columns", columns},
-          {"panels", panels}};
-}
-
-json table_json(const Table& table) {
-  json headings = json::array(), rows = json::array();
-  for (const Table::Heading& h : table.headings)
-    headings.push_back({{"name", h.name}, {"unit", h.unit}, {"decimals", h.decimals}});
-  for (const Table::Row& r : table.rows) rows.push_back({{"name", r.name}, {"values", numbers(r.values)}});
-  return {{"name", table.name},
-          {"title", table.title},
-          {"row_header", table.row_header},
-          {"headings", headings},
-          {"rows", rows}};
-}
-
-json item_json(const Item& item) {
-  json result{{"name", item.name}, {"title", item.title}, {"sections", item.sections}, {"paragraphs", item.paragraphs}};
-  for (const char* list : {"equations", "matrices", "figures", "tables", "verdicts"}) result[list] = json::array();
-  for (const Equation& e : item.equations) result["equations"].push_back({{"number", e.number}, {"tex", e.tex}});
-  for (const Matrix& m : item.matrices) {
-    json rows = json::array();
-    for (const auto& row : m.rows) rows.push_back(numbers(row));
-    result["matrices"].push_back({{"name", m.name}, {"unit", m.unit}, {"rows", rows}});
-  }
-  for (const Figure& f : item.figures) result["figures"].push_back(figure_json(f));
-  for (const Table& t : item.tables) result["tables"].push_back(table_json(t));
-  for (const Verdict& v : item.verdicts)
-    result["verdicts"].push_back({{"place", v.place},
-                                  {"claim", v.claim},
-                                  {"printed", v.printed},
-                                  {"ours", v.ours},
-                                  {"judgement", word(v.judgement)},
-                                  {"reason", v.reason}});
-  return result;
 }
 
 }  // namespace
@@ -144,7 +93,7 @@ std::string_view word(Judgement judgement) {
 std::string to_json(const std::vector<Item>& items, const std::vector<double>& seconds) {
   json list = json::array();
   for (std::size_t i = 0; i < items.size(); ++i) {
-    list.push_back(item_json(items[i]));
+    list.push_back(items[i]);
     list.back()["seconds"] = seconds.at(i);
   }
   return json{{"items", list}}.dump();

@@ -5,7 +5,6 @@
 /// The paper: Naderpour, Barros & Khatami 2015, Scientia Iranica, Transactions A. Texts may contain mathematics between
 /// dollar signs, in the TeX subset of matplotlib.
 
-#include <functional>
 #include <limits>
 #include <string>
 #include <string_view>

@@ -9,7 +9,6 @@
 #include "reproduce/impacts.hpp"
 #include "reproduce/items.hpp"
 #include "reproduce/paper.hpp"
-#include "reproduce/proposed_law.hpp"
 
 namespace pounding::reproduce::section5 {
 namespace {

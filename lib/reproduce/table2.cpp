@@ -8,7 +8,6 @@
 #include "reproduce/impacts.hpp"
 #include "reproduce/items.hpp"
 #include "reproduce/paper.hpp"
-#include "reproduce/proposed_law.hpp"
 
 namespace pounding::reproduce::table2 {
 namespace {

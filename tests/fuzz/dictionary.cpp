@@ -4,7 +4,7 @@
 #include <set>
 #include <string>
 
-#include <pounding/core/unit_names.hpp>
+#include <pounding/core/unit_reader.hpp>
 #include <pounding/input/keys/sections.hpp>
 #include <pounding/laws/compiled.hpp>
 

@@ -1,7 +1,6 @@
 #pragma once
 /// d^n and its derivative, zero for an open gap; common exponents avoid std::pow.
 
-#include <algorithm>
 #include <cmath>
 
 namespace pounding {

@@ -82,8 +82,15 @@ class Archive {
     archive_value(*this, value);
   }
 
-  /// Building blocks of such a function. A number of items: written, or read and returned. Throws std::runtime_error if
-  /// the remaining bytes cannot contain that many.
+  /// Several values, one after another.
+  template <class... T>
+    requires(sizeof...(T) > 1)
+  void operator()(T&... values) {
+    ((*this)(values), ...);
+  }
+
+  /// The parts that such a function is made of. A number of items: written, or read and returned. Throws
+  /// std::runtime_error for a number that the bytes cannot hold.
   std::size_t count(std::size_t size) {
     (*this)(size);
     if (reading_ && size > bytes_.size()) throw std::runtime_error("the saved state is damaged");

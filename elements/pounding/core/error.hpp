@@ -2,7 +2,6 @@
 /// Errors for users.
 
 #include <stdexcept>
-#include <string>
 #include <string_view>
 
 #include <pounding/base/excerpt.hpp>
@@ -14,7 +13,7 @@ namespace pounding {
 /// UTF-8, whatever was read. Exit code 2 of the program.
 class InputError : public std::runtime_error {
  public:
-  explicit InputError(std::string_view text);
+  explicit InputError(std::string_view text) : std::runtime_error(message_text(text)) {}
 };
 
 /// Failed solve. The message states the time and the reason. Exit code 3 of the program.

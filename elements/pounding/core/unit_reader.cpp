@@ -13,7 +13,6 @@
 #include <fmt/format.h>
 
 #include <pounding/core/error.hpp>
-#include <pounding/core/unit_names.hpp>
 
 namespace pounding {
 namespace {

@@ -7,8 +7,6 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
-#include <string>
-#include <utility>
 
 #include <pounding/frames/finite_rotation.hpp>
 

@@ -6,7 +6,6 @@
 /// node: its members bend only about their local y, and `in_plane` extracts the corresponding rows and columns.
 
 #include <Eigen/Core>
-#include <array>
 #include <limits>
 #include <optional>
 #include <utility>

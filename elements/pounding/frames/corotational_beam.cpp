@@ -2,11 +2,9 @@
 
 #include <pounding/frames/corotational.hpp>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
-#include <string>
 
 #include <pounding/core/refuse.hpp>
 #include <pounding/frames/finite_rotation.hpp>

@@ -93,8 +93,6 @@ std::string Frame::nodes_text(int start, int end) const {
   return " (nodes " + node_name(start) + " and " + node_name(end) + ")";
 }
 
-std::string Frame::node_text(int node) const { return "node " + node_name(node) + ": "; }
-
 std::string Frame::label(int at) const { return node_text(at / dofs()) + name(dofs_of(dimension_)[at % dofs()]); }
 
 void Frame::require_not_negative(double value, int node, const char* what) const {

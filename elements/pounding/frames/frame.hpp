@@ -232,7 +232,7 @@ class Frame {
   const Member& of(int member) const;
   Member& of(int member) { return const_cast<Member&>(std::as_const(*this).of(member)); }
   std::string nodes_text(int start, int end) const;
-  std::string node_text(int node) const;
+  std::string node_text(int node) const { return "node " + node_name(node) + ": "; }
   std::string label(int at) const;  // of a displacement
   void require_not_negative(double value, int node, const char* what) const;
   void add_between(Entries& entries, int node_a, int node_b, Dof dof, double value);

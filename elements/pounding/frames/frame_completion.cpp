@@ -1,4 +1,4 @@
-#include <pounding/frames/frame_completion.hpp>
+#include <pounding/frames/frame_parts.hpp>
 
 #include <numeric>
 #include <vector>

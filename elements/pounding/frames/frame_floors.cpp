@@ -1,4 +1,4 @@
-#include <pounding/frames/frame_floors.hpp>
+#include <pounding/frames/frame_parts.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include <pounding/frames/frame_hinges.hpp>
+#include <pounding/frames/frame_parts.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +11,6 @@
 
 #include <pounding/core/refuse.hpp>
 #include <pounding/frames/frame_dofs.hpp>
-#include <pounding/frames/loose_joints.hpp>
 #include <pounding/structures/make_spring.hpp>
 #include <pounding/structures/yielding_law.hpp>
 

@@ -1,7 +1,6 @@
 #pragma once
 /// A frame with its floors, supports and reported quantities: the input of a structure. SI units.
 
-#include <array>
 #include <optional>
 #include <string>
 #include <vector>

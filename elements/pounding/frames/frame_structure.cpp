@@ -9,10 +9,7 @@
 #include <fmt/format.h>
 
 #include <pounding/frames/corotational_forces.hpp>
-#include <pounding/frames/frame_completion.hpp>
-#include <pounding/frames/frame_floors.hpp>
-#include <pounding/frames/frame_hinges.hpp>
-#include <pounding/frames/frame_isolators.hpp>
+#include <pounding/frames/frame_parts.hpp>
 #include <pounding/frames/frame_surface.hpp>
 
 namespace pounding {

@@ -1,4 +1,4 @@
-#include <pounding/frames/loose_joints.hpp>
+#include <pounding/frames/frame_parts.hpp>
 
 #include <algorithm>
 #include <set>

@@ -9,7 +9,6 @@
 
 #include <fmt/format.h>
 
-#include <pounding/core/units.hpp>
 #include <pounding/ground/closed_forms.hpp>
 
 namespace pounding {
@@ -280,8 +279,6 @@ double GroundMotion::next_break(double t) const noexcept {
                                }},
                     motion_);
 }
-
-double GroundMotion::sample_step() const noexcept { return per_step_ > 0 ? 1 / per_step_ : 0; }
 
 double GroundMotion::shortest_period() const noexcept {
   if (const auto* const harmonic = std::get_if<Harmonic>(&motion_)) return harmonic->period;

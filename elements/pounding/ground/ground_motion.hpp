@@ -2,7 +2,6 @@
 /// One component of a ground motion: acceleration as a function of time, in closed form or as linearly interpolated
 /// samples, and its exact integrals. Also used for time-dependent forces, with N instead of m/s^2.
 
-#include <cstdint>
 #include <initializer_list>
 #include <memory>
 #include <string>
@@ -99,7 +98,7 @@ class GroundMotion {
   /// Time after which the acceleration is zero [s]; infinity for a Step.
   double duration() const noexcept { return duration_; }
   /// Spacing of uniform samples [s]; 0 for a closed form and for uneven spacing.
-  double sample_step() const noexcept;
+  double sample_step() const noexcept { return per_step_ > 0 ? 1 / per_step_ : 0; }
   /// Shortest period of a closed form [s]; infinity for samples, which are linear between breaks.
   double shortest_period() const noexcept;
   /// Longest step from time t to the next break that resolves the motion [s]: a tenth of the shortest period during a

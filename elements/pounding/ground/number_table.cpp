@@ -157,10 +157,6 @@ void NumberTable::drop(std::size_t rows) {
   for (Row& row : rows_) row.begin -= numbers;
 }
 
-std::size_t NumberTable::columns(std::size_t row) const {
-  return (row + 1 < rows_.size() ? rows_[row + 1].begin : values_.size()) - rows_[row].begin;
-}
-
 std::vector<double> NumberTable::column(std::size_t index) const {
   std::vector<double> values;
   for (std::size_t row = 0; row < rows(); ++row) values.push_back(at(row, index));

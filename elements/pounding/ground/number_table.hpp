@@ -23,7 +23,9 @@ class NumberTable {
 
   std::size_t rows() const { return rows_.size(); }
   /// Number of values in a row.
-  std::size_t columns(std::size_t row) const;
+  std::size_t columns(std::size_t row) const {
+    return (row + 1 < rows_.size() ? rows_[row + 1].begin : values_.size()) - rows_[row].begin;
+  }
   double at(std::size_t row, std::size_t column) const { return values_[rows_[row].begin + column]; }
   /// Line of a row.
   std::size_t line(std::size_t row) const { return rows_[row].line; }

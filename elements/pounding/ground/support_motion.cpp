@@ -22,16 +22,4 @@ void SupportMotion::project(const Influence& influence, Row row) const {
     }
 }
 
-void SupportMotion::displacement(double t, const AddTerm& add) const {
-  for (const Term& term : terms_) add(term.support, term.axis, term.sign * term.motion.displacement(t));
-}
-
-void SupportMotion::velocity(double t, const AddTerm& add) const {
-  for (const Term& term : terms_) add(term.support, term.axis, term.sign * term.motion.velocity(t));
-}
-
-void SupportMotion::acceleration(const Eigen::VectorXd& grounds, const AddTerm& add) const {
-  for (const Term& term : terms_) add(term.support, term.axis, term.sign * grounds[term.ground]);
-}
-
 }  // namespace pounding

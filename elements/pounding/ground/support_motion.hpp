@@ -42,11 +42,17 @@ class SupportMotion {
   /// Adds the coefficients of the sum to a row: f_qi to the column of g_qi, -f_qi to that of g_0i.
   void project(const Influence& influence, Row row) const;
   /// Calls `add` for every term of the sum at time t [s].
-  void displacement(double t, const AddTerm& add) const;
-  void velocity(double t, const AddTerm& add) const;
+  void displacement(double t, const AddTerm& add) const {
+    for (const Term& term : terms_) add(term.support, term.axis, term.sign * term.motion.displacement(t));
+  }
+  void velocity(double t, const AddTerm& add) const {
+    for (const Term& term : terms_) add(term.support, term.axis, term.sign * term.motion.velocity(t));
+  }
   /// Calls `add` for every term, given the accelerations of all ground motions of the model. A time argument would be
   /// ambiguous at jumps.
-  void acceleration(const Eigen::VectorXd& grounds, const AddTerm& add) const;
+  void acceleration(const Eigen::VectorXd& grounds, const AddTerm& add) const {
+    for (const Term& term : terms_) add(term.support, term.axis, term.sign * grounds[term.ground]);
+  }
 
  private:
   /// One g_qi or -g_0i.

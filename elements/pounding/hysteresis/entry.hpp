@@ -1,7 +1,6 @@
 #pragma once
 /// Hysteretic laws by name and parameters: settings and catalogue entry.
 
-#include <array>
 #include <functional>
 #include <map>
 #include <span>

@@ -10,15 +10,55 @@
 #include <string>
 #include <string_view>
 #include <type_traits>
+#include <utility>
 #include <variant>
 #include <vector>
 
+#include <pounding/laws/checks.hpp>
 #include <pounding/laws/entry.hpp>
 #include <pounding/laws/law.hpp>
-#include <pounding/laws/needs.hpp>
-#include <pounding/laws/resolved_value.hpp>
+#include <pounding/laws/table.hpp>
 
 namespace pounding::laws {
+
+/// A resolved value of a law.
+struct ResolvedValue {
+  std::string name;
+  double value = 0;
+  std::string unit;
+};
+
+/// Substitutes the exponent n in a unit of the tables: "N/m^n" becomes "N/m^1.5" for 1.5 and "N/m" for 1.
+inline std::string resolved_unit(std::string_view unit, double exponent) {
+  const std::pair<std::string_view, double> forms[] = {
+      {"^((n+1)/2)", (exponent + 1) / 2}, {"^(n+1)", exponent + 1}, {"^n", exponent}};
+  std::string text(unit);
+  for (const auto& [form, power] : forms)
+    if (const auto at = text.find(form); at != std::string::npos)
+      return text.replace(at, form.size(), power == 1 ? std::string() : std::string("^").append(number_text(power)));
+  return text;
+}
+
+/// True if a parameter is required; `has(name)` is true for the given ones.
+template <class Has>
+bool must_be_given(std::span<const ParameterInfo> parameters, const ParameterInfo& parameter, Has&& has) {
+  const bool together =
+      std::ranges::any_of(parameters, [&](const ParameterInfo& p) { return p.need == Need::together && has(p.name); });
+  return parameter.need == (together ? Need::together : Need::required);
+}
+
+/// Throws std::invalid_argument for a parameter that has no effect together with parameters of kind `together`; `has`
+/// as above.
+template <class Has>
+void refuse_beside_together(std::span<const ParameterInfo> parameters, Has&& has) {
+  const auto other =
+      std::ranges::find_if(parameters, [&](const ParameterInfo& p) { return p.need != Need::together && has(p.name); });
+  const auto first =
+      std::ranges::find_if(parameters, [&](const ParameterInfo& p) { return p.need == Need::together && has(p.name); });
+  if (first != parameters.end() && other != parameters.end())
+    throw std::invalid_argument(std::string(other->name) + " has no effect together with " + std::string(first->name) +
+                                "; remove one of them");
+}
 
 /// Dimensionless damping number of a law at this closing speed [m/s], named by Entry::number; 0 if the law has no
 /// damping. Throws std::invalid_argument if the formula is undefined for the restitution of the law.

@@ -9,7 +9,6 @@
 #include <cmath>
 #include <optional>
 #include <stdexcept>
-#include <string>
 #include <vector>
 
 #include <pounding/base/root.hpp>

@@ -3,15 +3,37 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 
 #include <pounding/laws/law.hpp>
-#include <pounding/links/force_sign.hpp>
 
 namespace pounding {
 
-/// Phase of a contact, set from the state at a located instant, never toggled.
+/// Penetration [m] at which the sign of a force is asked for: no less than a trace of the peak penetration. So a
+/// release shortly before the separation is not missed, and a law whose formula continues to negative penetrations does
+/// not seem to press again.
+inline double at_least_a_trace(double penetration, const laws::Impact& impact) noexcept {
+  return std::max(penetration, 1e-9 * impact.largest_penetration);
+}
+
+/// Sum of the magnitudes of a force's terms [N], at a penetration that is at least a trace, see above.
+inline double sum_of_terms(const laws::Response& r, double penetration, double rate) noexcept {
+  return std::abs(r.by_penetration * penetration) + std::abs(r.by_rate * rate);
+}
+
+/// The law's force, negative where it would pull, over the sum of the magnitudes of its terms [-]: near the separation
+/// all terms vanish, but this ratio stays as sharp as elsewhere.
+template <class Law>
+double signed_force(const Law& law, double penetration, double rate, const laws::Impact& impact) noexcept {
+  const double d = at_least_a_trace(penetration, impact);
+  const laws::Response r = law.contact(d, rate, impact);
+  const double all = sum_of_terms(r, d, rate);
+  return all > 0 ? r.force / all : 0;
+}
+
+/// Phase of a contact. It is set from the state at a located instant, never toggled.
 enum class ContactPhase : std::uint8_t {
   open,         ///< apart
   approach,     ///< pressed, still closing

@@ -1,6 +1,5 @@
 #include <pounding/links/gap_link.hpp>
 
-#include <stdexcept>
 #include <type_traits>
 #include <variant>
 

@@ -109,9 +109,7 @@ class GapLink final : public Contact {
   double work() const noexcept override { return log_.work(); }
   std::span<const ImpactRow> impacts() const noexcept override { return log_.rows(); }
   void archive(Archive& archive) override {
-    archive(state_.gap);
-    archive(state_.phase);
-    archive(state_.impact);
+    archive(state_.gap, state_.phase, state_.impact);
     log_.archive(archive);
   }
 

@@ -85,11 +85,6 @@ void ImpactLog::store(double energy) {
   row.energy_lost = work_of_impact_ - energy;
 }
 
-void ImpactLog::archive(Archive& archive) {
-  archive(open_);
-  archive(rows_);
-  archive(work_);
-  archive(work_of_impact_);
-}
+void ImpactLog::archive(Archive& archive) { archive(open_, rows_, work_, work_of_impact_); }
 
 }  // namespace pounding

@@ -22,13 +22,8 @@ Contact::EventFunctions RigidGapLink::event_functions(const LinkMotion& motion, 
   return {drift_ - motion.penetration, never, never};
 }
 
-void RigidGapLink::accept(const LinkStep& step) {
-  if (phase_ == ContactPhase::resting) log_.add(step);
-}
-
 void RigidGapLink::archive(Archive& archive) {
-  archive(drift_);
-  archive(phase_);
+  archive(drift_, phase_);
   log_.archive(archive);
 }
 

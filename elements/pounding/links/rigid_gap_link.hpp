@@ -20,7 +20,9 @@ class RigidGapLink final : public Contact {
   /// Zero in every phase: a touch is a velocity jump, and the force at rest follows from the equations of motion.
   laws::Response evaluate(const LinkMotion&) const noexcept override { return {}; }
   EventFunctions event_functions(const LinkMotion& motion, double force) const noexcept override;
-  void accept(const LinkStep& step) override;
+  void accept(const LinkStep& step) override {
+    if (phase_ == ContactPhase::resting) log_.add(step);
+  }
   void on_event(int event, double time, const LinkMotion& motion) override;
   bool is_rigid() const noexcept override { return true; }
   double restitution() const noexcept override { return restitution_; }

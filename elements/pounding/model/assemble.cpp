@@ -8,7 +8,7 @@
 
 #include <pounding/model/ground_plan.hpp>
 #include <pounding/model/model.hpp>
-#include <pounding/model/start/rest_by_yielding.hpp>
+#include <pounding/model/start/start.hpp>
 
 namespace pounding {
 namespace {

@@ -8,7 +8,6 @@
 #include <fmt/format.h>
 
 #include <pounding/core/error.hpp>
-#include <pounding/core/limits.hpp>
 #include <pounding/core/text.hpp>
 #include <pounding/core/units.hpp>
 #include <pounding/model/arrivals.hpp>
@@ -17,8 +16,7 @@
 #include <pounding/model/ground_plan.hpp>
 #include <pounding/model/place_ends.hpp>
 #include <pounding/model/reducible.hpp>
-#include <pounding/model/start/initial_shape.hpp>
-#include <pounding/model/start/preload.hpp>
+#include <pounding/model/start/start.hpp>
 #include <pounding/model/warning_names.hpp>
 #include <pounding/structures/storey_heights.hpp>
 

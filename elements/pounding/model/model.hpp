@@ -3,7 +3,6 @@
 /// (input/read_model.hpp). SI units.
 
 #include <Eigen/Core>
-#include <array>
 #include <map>
 #include <memory>
 #include <optional>

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -151,7 +150,7 @@ Json elevations_json(const Structure& s) {
 Json mode_json(const Structure& s, const Mode& mode) {
   const auto list = [](const auto& values) { return std::vector<double>(values.begin(), values.end()); };
   Json one = Json::object();
-  one["period"] = std::isfinite(mode.period) ? Json(mode.period) : Json(nullptr);
+  one["period"] = mode.period;
   one["damping_ratio"] = mode.damping_ratio;
   if (along_x_only(s)) {
     one["participation"] = mode.participation[0];

@@ -121,38 +121,31 @@ Json events_json(const Pushover& found) {
 }
 
 Json points_json(const Pushover& found) {
-  Json displacement = Json::array(), shear = Json::array(), floors = Json::array(), deformation = Json::array(),
-       force = Json::array();
-  for (std::size_t i = 0; i < found.path.points.size(); ++i) {
+  Json columns;
+  for (int i = 0; i < static_cast<int>(found.path.points.size()); ++i) {
     const PushPoint& point = found.path.points[i];
-    displacement.push_back(point.displacement);
-    shear.push_back(point.factor);
-    const auto row = found.floor_displacements.row(static_cast<Eigen::Index>(i));
-    floors.push_back(std::vector<double>(row.begin(), row.end()));
-    deformation.push_back(std::vector<double>(point.deformations.begin(), point.deformations.end()));
-    Json forces = Json::array();
-    for (std::size_t j = 0; j < found.parts.size(); ++j)
-      forces.push_back(found.force(static_cast<int>(i), static_cast<int>(j)));
-    force.push_back(std::move(forces));
+    const auto row = found.floor_displacements.row(i);
+    std::vector<double> forces;
+    for (int j = 0; j < static_cast<int>(found.parts.size()); ++j) forces.push_back(found.force(i, j));
+    columns["displacement"].push_back(point.displacement);
+    columns["base_shear"].push_back(point.factor);
+    columns["floor_displacement"].push_back(std::vector<double>(row.begin(), row.end()));
+    columns["deformation"].push_back(std::vector<double>(point.deformations.begin(), point.deformations.end()));
+    columns["force"].push_back(forces);
   }
-  return {{"displacement", displacement},
-          {"base_shear", shear},
-          {"floor_displacement", floors},
-          {"deformation", deformation},
-          {"force", force}};
+  return columns;
 }
 
 Json parts_json(const Pushover& found) {
   Json parts = Json::array();
   for (int j = 0; j < static_cast<int>(found.parts.size()); ++j) {
     const Pushover::Part& part = found.parts[j];
-    parts.push_back(
-        {{"name", part.name},
-         {"law", part.law},
-         {"stiffness", part.stiffness},
-         {"yield_deformation", std::isfinite(part.yield_deformation) ? Json(part.yield_deformation) : Json(nullptr)},
-         {"ductility", found.ductility(j)},
-         {"plastic_deformation", found.plastic_deformation(j)}});
+    parts.push_back({{"name", part.name},
+                     {"law", part.law},
+                     {"stiffness", part.stiffness},
+                     {"yield_deformation", part.yield_deformation},
+                     {"ductility", found.ductility(j)},
+                     {"plastic_deformation", found.plastic_deformation(j)}});
   }
   return parts;
 }
@@ -174,7 +167,7 @@ std::string pushover_json(const Pushover& found, bool with_points) {
            {"direction", found.options.direction == 0 ? "x" : "y"},
            {"load", name_of(found.options.pattern)},
            {"targets", found.options.targets},
-           {"height", std::isnan(found.height) ? Json(nullptr) : Json(found.height)},
+           {"height", found.height},
            {"floors", found.floors},
            {"floor_loads", found.loads},
            {"events", events_json(found)},

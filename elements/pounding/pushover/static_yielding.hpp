@@ -2,7 +2,6 @@
 /// Structure with yielding parts, at rest under a load of constant pattern.
 
 #include <Eigen/Core>
-#include <vector>
 
 #include <pounding/structures/structure.hpp>
 

@@ -2,11 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
-#include <string>
 #include <utility>
-#include <vector>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -161,8 +158,6 @@ std::string table_of(const Structure& s) {
   return text;
 }
 
-Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
-
 }  // namespace
 
 std::vector<YieldingFacts> yielding_facts(const Structure& s) {
@@ -216,16 +211,16 @@ std::string yielding_json(const Model& model) {
       parts.push_back({{"name", one.name},
                        {"law", one.law},
                        {"hinge", one.is_hinge},
-                       {"yield_force", number(one.force)},
-                       {"yield_deformation", number(one.deformation)},
+                       {"yield_force", one.force},
+                       {"yield_deformation", one.deformation},
                        {"stiffness", one.stiffness},
-                       {"hardening", number(one.hardening)},
-                       {"end_stiffness", number(one.end_stiffness)},
-                       {"end_tangent", number(one.end_tangent)},
-                       {"over_weight", number(one.over_weight)},
-                       {"at_rest", number(one.at_rest)}});
+                       {"hardening", one.hardening},
+                       {"end_stiffness", one.end_stiffness},
+                       {"end_tangent", one.end_tangent},
+                       {"over_weight", one.over_weight},
+                       {"at_rest", one.at_rest}});
     for (const StoreyMechanism& one : storey_mechanisms(s))
-      mechanisms.push_back({{"storey", one.storey}, {"shear", number(one.shear)}, {"elastic", one.elastic}});
+      mechanisms.push_back({{"storey", one.storey}, {"shear", one.shear}, {"elastic", one.elastic}});
     all[s.name] = {{"parts", std::move(parts)}, {"storey_mechanisms", std::move(mechanisms)}};
   }
   return all.dump(-1, ' ', false, Json::error_handler_t::replace);

@@ -4,7 +4,6 @@
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
 #include <functional>
-#include <vector>
 
 #include <pounding/structures/massless.hpp>
 

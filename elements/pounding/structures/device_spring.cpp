@@ -119,9 +119,7 @@ double DeviceSpring::stored_correction() const noexcept {
 }
 
 void DeviceSpring::archive(Archive& archive) {
-  archive(elongation_);
-  archive(stretch_);
-  archive(damped_);
+  archive(elongation_, stretch_, damped_);
   if (yielding_) yielding_->archive(archive);
 }
 

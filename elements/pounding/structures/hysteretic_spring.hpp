@@ -2,7 +2,6 @@
 /// Storeys, hinges and devices with a hysteretic law.
 
 #include <cmath>
-#include <type_traits>
 
 #include <pounding/hysteresis/law.hpp>
 #include <pounding/structures/spring.hpp>
@@ -83,10 +82,7 @@ class HystereticSpring : public Spring {
   }
   double lost() const noexcept override { return lost(kept_, given_); }
   double stored_correction() const noexcept override { return hysteresis::stored_excess(law_, kept_); }
-  void archive(Archive& archive) override {
-    archive(kept_);
-    archive(given_);
-  }
+  void archive(Archive& archive) override { archive(kept_, given_); }
 
   /// The law with its parameters.
   const L& law() const noexcept { return law_; }

@@ -70,10 +70,6 @@ bool SlidingSpring::slides(const State& state, const Jet& at) const noexcept {
   return std::abs(at.x - state.slip) > limit + rounding * (limit + std::abs(at.x));
 }
 
-double SlidingSpring::balanced_slip_rate(const Jet& at, double way) const noexcept {
-  return at.v - way * law_.weight / law_.stick() * law_.slope_of_coefficient(at.v) * at.a;
-}
-
 // Phase that begins at one instant, and its end on the path to another; that other one if the phase continues.
 SlidingSpring::Phase SlidingSpring::phase(State state, const Quintic& path, double from, double to) const noexcept {
   const Jet first = path.at(from);

@@ -64,7 +64,9 @@ class SlidingSpring final : public Spring {
   bool slides(const State& state, const Jet& at) const noexcept;
   double friction(const State& state, const LinkMotion& motion) const noexcept;
   State slid(State state, const LinkMotion& motion) const noexcept;
-  double balanced_slip_rate(const Jet& at, double way) const noexcept;
+  double balanced_slip_rate(const Jet& at, double way) const noexcept {
+    return at.v - way * law_.weight / law_.stick() * law_.slope_of_coefficient(at.v) * at.a;
+  }
   Phase phase(State state, const Quintic& path, double from, double to) const noexcept;
   State follow(State state, const LinkStep& step, double to) const noexcept;
 

@@ -1,12 +1,9 @@
 #pragma once
 /// One step in contact: Dormand & Prince's pair 5(4) for all modes, in the integration variable of the contact.
 
-#include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <type_traits>
 #include <utility>
-#include <vector>
 
 #include <pounding/base/quintic.hpp>
 #include <pounding/study/clock.hpp>

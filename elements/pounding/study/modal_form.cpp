@@ -1,11 +1,9 @@
 #include <pounding/study/modal_form.hpp>
 
 #include <Eigen/Core>
-#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <stdexcept>
-#include <utility>
 #include <variant>
 
 #include <pounding/links/gap_link.hpp>

@@ -2,7 +2,6 @@
 /// Motion of modes for linear ground acceleration as polynomials of time, and roots of such polynomials.
 
 #include <array>
-#include <cmath>
 #include <cstddef>
 
 #include <pounding/base/bracketed_root.hpp>

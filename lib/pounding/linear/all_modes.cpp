@@ -4,7 +4,6 @@
 
 #include <Eigen/Cholesky>
 #include <stdexcept>
-#include <vector>
 
 #include <pounding/petsc/environment.hpp>
 

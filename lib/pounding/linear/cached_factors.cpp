@@ -129,18 +129,10 @@ void CachedFactors::select(const EffectiveMatrix& matrix, std::optional<int> ste
   current_ = off_level_.get();
 }
 
-int CachedFactors::count() const {
-  return static_cast<int>(levels_.size()) + (off_level_ && off_level_->factor ? 1 : 0);
-}
-
 double CachedFactors::memory() const {
   double bytes = (off_level_ ? off_level_->memory() : 0) + (spare_ ? spare_->memory() : 0);
   for (const auto& level : levels_) bytes += level->memory();
   return bytes;
-}
-
-long CachedFactors::iterations() const {
-  return finished_iterations_ + (off_level_ && off_level_->gradients ? off_level_->gradients->iterations() : 0);
 }
 
 std::string CachedFactors::package() const {

@@ -60,13 +60,15 @@ class CachedFactors {
   /// Evicts levels in LRU order until the memory limit is met, except `needed` and the levels of the current step.
   void make_room(const CachedFactor* needed);
 
-  /// Number of cached factors. Not collective.
-  int count() const;
-  /// Memory of all entries on this process [bytes]. Not collective.
+  /// Factors that are held. Not collective.
+  int count() const { return static_cast<int>(levels_.size()) + (off_level_ && off_level_->factor ? 1 : 0); }
+  /// All that is held on this process [bytes]. Not collective.
   double memory() const;
-  /// Total number of conjugate gradient iterations on this process. Not collective.
-  long iterations() const;
-  /// Software package of the factors; empty before the first. Not collective.
+  /// Iterations of conjugate gradients so far on this process. Not collective.
+  long iterations() const {
+    return finished_iterations_ + (off_level_ && off_level_->gradients ? off_level_->gradients->iterations() : 0);
+  }
+  /// Package of one of the factors; empty before the first. Not collective.
   std::string package() const;
 
  private:

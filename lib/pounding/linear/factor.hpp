@@ -6,7 +6,6 @@
 
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
-#include <memory>
 #include <span>
 #include <string>
 #include <vector>

@@ -42,26 +42,36 @@ class ModalSolver final : public StructureSolver {
   void stiffness_times(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::Ref<Eigen::MatrixXd> y) const override;
   void stiffness_and_damping_times(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::Ref<Eigen::MatrixXd> kx,
                                    Eigen::Ref<Eigen::MatrixXd> cx) const override;
-  void mass_times(Eigen::Ref<const Eigen::VectorXd> x, Eigen::Ref<Eigen::VectorXd> y) const override;
-  void accelerate(Eigen::Ref<Eigen::VectorXd> r) const override;
-  void recover(Eigen::Ref<Eigen::VectorXd> x) const override;
+  void mass_times(Eigen::Ref<const Eigen::VectorXd> x, Eigen::Ref<Eigen::VectorXd> y) const override { y = x; }
+  void accelerate(Eigen::Ref<Eigen::VectorXd>) const override {}
+  void recover(Eigen::Ref<Eigen::VectorXd>) const override {}
   bool prefers_dyadic_steps() const override { return !classical_; }
   void set_matrix(const EffectiveMatrix& matrix, const std::optional<int>& step_level) override;
   bool solve(Eigen::Ref<Eigen::VectorXd> x) override;
   bool flexibility(std::span<const int> links, Eigen::MatrixXd& g) override;
   void add_response(double factor, std::span<const int> links, const Eigen::VectorXd& f,
                     Eigen::Ref<Eigen::VectorXd> y) const override;
-  void gather(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::MatrixXd& relative) const override;
-  void gather(std::span<const int> links, Eigen::Ref<const Eigen::MatrixXd> x,
-              Eigen::MatrixXd& relative) const override;
+  void gather(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::MatrixXd& relative) const override {
+    gap_jacobian_.gather(x, relative);
+  }
+  void gather(std::span<const int> /*links*/, Eigen::Ref<const Eigen::MatrixXd> x,
+              Eigen::MatrixXd& relative) const override {
+    gap_jacobian_.gather_chosen(x, relative);
+  }
   void add_forces(double factor, const Eigen::VectorXd& f, Eigen::Ref<Eigen::VectorXd> y) const override;
   void add_physical_forces(const Eigen::VectorXd& f, Eigen::Ref<Eigen::VectorXd> y) const override;
-  void observe(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::MatrixXd& values) const override;
+  void observe(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::MatrixXd& values) const override {
+    outputs_.gather(x, values);
+  }
   Eigen::VectorXd coordinates(const Eigen::VectorXd& physical) const override;
   void physical(Eigen::Ref<const Eigen::VectorXd> x, Eigen::VectorXd& u) const override;
   std::span<const ReducedStructure> reduced() const override { return reduced_; }
-  void gather_shadow(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::MatrixXd& relative) const override;
-  void observe_shadow(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::MatrixXd& values) const override;
+  void gather_shadow(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::MatrixXd& relative) const override {
+    (shadow_ > 0 ? shadow_ends_ : gap_jacobian_).gather(x, relative);
+  }
+  void observe_shadow(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::MatrixXd& values) const override {
+    (shadow_ > 0 ? shadow_outputs_ : outputs_).gather(x, values);
+  }
   void physical_of_columns(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::MatrixXd& u) const override;
   void as_shadow(const Eigen::MatrixXd& x, Eigen::MatrixXd& y) const override;
   std::optional<FewModes> few_modes(int group) const override;

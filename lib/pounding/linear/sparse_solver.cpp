@@ -42,27 +42,10 @@ SparseSolver::SparseSolver(MPI_Comm comm, const System& system, const SparseOpti
   work_.resize(size());
 }
 
-void SparseSolver::combine(std::span<double> sums) const { matrices_.combine(sums); }
-
-void SparseSolver::stiffness_times(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::Ref<Eigen::MatrixXd> y) const {
-  matrices_.stiffness_times(x, y);
-}
-
 void SparseSolver::stiffness_and_damping_times(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::Ref<Eigen::MatrixXd> kx,
                                                Eigen::Ref<Eigen::MatrixXd> cx) const {
   matrices_.stiffness_times(x, kx);
   matrices_.damping_times(x.rightCols(cx.cols()), kx.rightCols(cx.cols()), cx);
-}
-
-void SparseSolver::mass_times(Eigen::Ref<const Eigen::VectorXd> x, Eigen::Ref<Eigen::VectorXd> y) const {
-  matrices_.mass_times(x, y);
-}
-
-void SparseSolver::accelerate(Eigen::Ref<Eigen::VectorXd> r) const { matrices_.accelerate(r); }
-void SparseSolver::recover(Eigen::Ref<Eigen::VectorXd> x) const { matrices_.recover(x); }
-
-void SparseSolver::set_matrix(const EffectiveMatrix& matrix, const std::optional<int>& step_level) {
-  factors_.select(matrix, step_level);
 }
 
 bool SparseSolver::solve(Eigen::Ref<Eigen::VectorXd> x) {
@@ -203,24 +186,12 @@ void SparseSolver::add_response(double factor, std::span<const int> links, const
   }
 }
 
-void SparseSolver::gather(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::MatrixXd& relative) const {
-  ends_.gather(x, relative);
-}
-
 void SparseSolver::gather(std::span<const int> links, Eigen::Ref<const Eigen::MatrixXd> x,
                           Eigen::MatrixXd& relative) const {
   Eigen::MatrixXd all;
   ends_.gather(x, all);
   relative.resize(static_cast<Eigen::Index>(links.size()), x.cols());
   for (std::size_t i = 0; i < links.size(); ++i) relative.row(static_cast<Eigen::Index>(i)) = all.row(links[i]);
-}
-
-void SparseSolver::add_forces(double factor, const Eigen::VectorXd& f, Eigen::Ref<Eigen::VectorXd> y) const {
-  ends_.add_forces(factor, f, y);
-}
-
-void SparseSolver::add_physical_forces(const Eigen::VectorXd& f, Eigen::Ref<Eigen::VectorXd> y) const {
-  y += f.segment(matrices_.first(), size());
 }
 
 void SparseSolver::observe(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::MatrixXd& values) const {
@@ -230,16 +201,6 @@ void SparseSolver::observe(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::MatrixXd&
       for (SparseMatrix::InnerIterator it(outputs_, i); it; ++it) values(i, j) += it.value() * x(it.row(), j);
   combine({values.data(), static_cast<std::size_t>(values.size())});
 }
-
-Eigen::VectorXd SparseSolver::coordinates(const Eigen::VectorXd& physical) const {
-  return physical.segment(matrices_.first(), size());
-}
-
-void SparseSolver::physical(Eigen::Ref<const Eigen::VectorXd> x, Eigen::VectorXd& u) const { matrices_.spread(x, u); }
-
-int SparseSolver::factors() const { return factors_.count(); }
-double SparseSolver::memory() const { return factors_.memory() * 1e-6; }
-long SparseSolver::iterations() const { return factors_.iterations(); }
 
 std::string SparseSolver::description() const {
   const std::string package = factors_.package();

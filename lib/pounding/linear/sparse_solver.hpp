@@ -29,35 +29,49 @@ class SparseSolver final : public StructureSolver {
   /// freedom, for a singular matrix.
   SparseSolver(MPI_Comm comm, const System& system, const SparseOptions& options = {});
 
-  void stiffness_times(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::Ref<Eigen::MatrixXd> y) const override;
+  void stiffness_times(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::Ref<Eigen::MatrixXd> y) const override {
+    matrices_.stiffness_times(x, y);
+  }
   void stiffness_and_damping_times(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::Ref<Eigen::MatrixXd> kx,
                                    Eigen::Ref<Eigen::MatrixXd> cx) const override;
-  void mass_times(Eigen::Ref<const Eigen::VectorXd> x, Eigen::Ref<Eigen::VectorXd> y) const override;
-  void accelerate(Eigen::Ref<Eigen::VectorXd> r) const override;
-  void recover(Eigen::Ref<Eigen::VectorXd> x) const override;
+  void mass_times(Eigen::Ref<const Eigen::VectorXd> x, Eigen::Ref<Eigen::VectorXd> y) const override {
+    matrices_.mass_times(x, y);
+  }
+  void accelerate(Eigen::Ref<Eigen::VectorXd> r) const override { matrices_.accelerate(r); }
+  void recover(Eigen::Ref<Eigen::VectorXd> x) const override { matrices_.recover(x); }
   bool prefers_dyadic_steps() const override { return true; }
   bool needs_dyadic_steps() const override { return true; }
-  void set_matrix(const EffectiveMatrix& matrix, const std::optional<int>& step_level) override;
+  void set_matrix(const EffectiveMatrix& matrix, const std::optional<int>& step_level) override {
+    factors_.select(matrix, step_level);
+  }
   bool solve(Eigen::Ref<Eigen::VectorXd> x) override;
   bool flexibility(std::span<const int> links, Eigen::MatrixXd& g) override;
   void add_response(double factor, std::span<const int> links, const Eigen::VectorXd& f,
                     Eigen::Ref<Eigen::VectorXd> y) const override;
-  void gather(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::MatrixXd& relative) const override;
+  void gather(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::MatrixXd& relative) const override {
+    ends_.gather(x, relative);
+  }
   void gather(std::span<const int> links, Eigen::Ref<const Eigen::MatrixXd> x,
               Eigen::MatrixXd& relative) const override;
-  void add_forces(double factor, const Eigen::VectorXd& f, Eigen::Ref<Eigen::VectorXd> y) const override;
-  void add_physical_forces(const Eigen::VectorXd& f, Eigen::Ref<Eigen::VectorXd> y) const override;
+  void add_forces(double factor, const Eigen::VectorXd& f, Eigen::Ref<Eigen::VectorXd> y) const override {
+    ends_.add_forces(factor, f, y);
+  }
+  void add_physical_forces(const Eigen::VectorXd& f, Eigen::Ref<Eigen::VectorXd> y) const override {
+    y += f.segment(matrices_.first(), size());
+  }
   void observe(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::MatrixXd& values) const override;
-  Eigen::VectorXd coordinates(const Eigen::VectorXd& physical) const override;
-  void physical(Eigen::Ref<const Eigen::VectorXd> x, Eigen::VectorXd& u) const override;
-  void combine(std::span<double> sums) const override;
+  Eigen::VectorXd coordinates(const Eigen::VectorXd& physical) const override {
+    return physical.segment(matrices_.first(), size());
+  }
+  void physical(Eigen::Ref<const Eigen::VectorXd> x, Eigen::VectorXd& u) const override { matrices_.spread(x, u); }
+  void combine(std::span<double> sums) const override { matrices_.combine(sums); }
   std::string description() const override;
 
-  /// Number of cached factors, and their memory on this process [MB]. Not collective.
-  int factors() const;
-  double memory() const;
-  /// Total number of conjugate gradient iterations on this process. Not collective.
-  long iterations() const;
+  /// Factors that are held, and their memory on this process [MB]. Not collective.
+  int factors() const { return factors_.count(); }
+  double memory() const { return factors_.memory() * 1e-6; }
+  /// Iterations of conjugate gradients so far on this process. Not collective.
+  long iterations() const { return factors_.iterations(); }
 
  private:
   bool solve_by(const Factor& factor, Eigen::Ref<Eigen::VectorXd> x) const;

@@ -2,7 +2,6 @@
 /// Structures without their links, as the stepper uses them: products, solves, and sums over all processes.
 
 #include <Eigen/Core>
-#include <memory>
 #include <optional>
 #include <span>
 #include <string>

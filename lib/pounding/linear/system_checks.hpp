@@ -1,6 +1,6 @@
 #pragma once
-/// Requirements of the sparse solver on a System, and the diagnosis of singular matrices. Every process checks the
-/// whole System, so all reach the same conclusion.
+/// The rows of a system on each process, requirements of the sparse solver on it, and the name of what makes a matrix
+/// singular. Every process checks the whole System, so that all find the same.
 
 #include <vector>
 
@@ -8,8 +8,15 @@
 
 namespace pounding::petsc {
 
-/// Throws std::invalid_argument for groups that are not contiguous or do not cover all degrees of freedom, and for a
-/// matrix entry that couples two groups.
+/// True if each process gets whole groups, because there are at least as many groups as processes.
+bool shares_whole_groups(const System& system, int processes);
+
+/// First row of each process, and last the number of all rows: length processes + 1. Whole groups, by the entries of
+/// their stiffness, where shares_whole_groups; else even parts.
+std::vector<int> first_rows(const System& system, int processes);
+
+/// Throws std::invalid_argument for groups that do not follow one another over all degrees of freedom, and for an entry
+/// of a matrix that joins two groups.
 void require_groups(const System& system);
 
 /// `diagonal` is that of the mass matrix [kg]. Throws std::invalid_argument for a negative mass, a massless degree of

@@ -1,13 +1,11 @@
 #include <pounding/linear/system_matrices.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <stdexcept>
 
 #include <fmt/format.h>
 
 #include <pounding/linear/damping_matrix.hpp>
-#include <pounding/linear/row_ranges.hpp>
 #include <pounding/linear/system_checks.hpp>
 
 namespace pounding::petsc {

@@ -1,7 +1,6 @@
 #include <pounding/recording/floor_envelopes.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <utility>

@@ -41,12 +41,7 @@ class FloorEnvelopes {
   // displacements of all corners of a rigid floor.
   struct Lengths {
     Extremes displacement, drift, acceleration, corner;
-    void archive(Archive& archive) {
-      archive(displacement);
-      archive(drift);
-      archive(acceleration);
-      archive(corner);
-    }
+    void archive(Archive& archive) { archive(displacement, drift, acceleration, corner); }
   };
   void step_along(int structure, const StepMotion& step);
   void step_in_plan(int structure, const StepMotion& step);

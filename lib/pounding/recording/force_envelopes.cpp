@@ -1,7 +1,6 @@
 #include <pounding/recording/force_envelopes.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <functional>
 #include <map>
 #include <span>
@@ -370,13 +369,9 @@ void ForceEnvelopes::follow() {
 void ForceEnvelopes::archive(Archive& archive) {
   follow();
   knots_.archive(archive);
-  archive(followed_);
-  archive(jumped_);
+  archive(followed_, jumped_);
   for (Block& block : blocks_) {
-    archive(block.values);
-    archive(block.rates);
-    archive(block.extremes);
-    archive(block.apart);
+    archive(block.values, block.rates, block.extremes, block.apart);
   }
 }
 

@@ -40,12 +40,7 @@ bool Knots::reach_over_step() {
   return close;
 }
 
-void Knots::archive(Archive& archive) {
-  archive(last_);
-  archive(acceleration_);
-  archive(largest_);
-  archive(strayed_);
-}
+void Knots::archive(Archive& archive) { archive(last_, acceleration_, largest_, strayed_); }
 
 // By group: sqrt(x^T K x), over all processes.
 void Knots::take_norms(const Eigen::VectorXd& x) {

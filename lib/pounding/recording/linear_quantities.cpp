@@ -125,10 +125,6 @@ void LinearQuantities::evaluate(const Instants<instants>& motions, std::span<con
     }
 }
 
-void LinearQuantities::add_yielding(const Eigen::Ref<const Eigen::VectorXd>& forces, Eigen::VectorXd& values) const {
-  if (by_yielding_.nonZeros() > 0 && !forces.isZero(0)) values += by_yielding_ * forces;
-}
-
 template void LinearQuantities::evaluate<1>(const Instants<1>&, std::span<const double>, std::span<const GroundMotion>,
                                             Instants<1>&) const;
 template void LinearQuantities::evaluate<LinearQuantities::batch>(const Instants<batch>&, std::span<const double>,

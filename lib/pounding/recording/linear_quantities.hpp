@@ -51,8 +51,10 @@ class LinearQuantities {
   template <int instants>
   void evaluate(const Instants<instants>& motions, std::span<const double> times, std::span<const GroundMotion> grounds,
                 Instants<instants>& quantities) const;
-  /// Adds the contributions of yielding forces to the quantities, or of their rates to the rates.
-  void add_yielding(const Eigen::Ref<const Eigen::VectorXd>& forces, Eigen::VectorXd& values) const;
+  /// Adds what forces of parts that yield give to the quantities, or their rates to the rates.
+  void add_yielding(const Eigen::Ref<const Eigen::VectorXd>& forces, Eigen::VectorXd& values) const {
+    if (by_yielding_.nonZeros() > 0 && !forces.isZero(0)) values += by_yielding_ * forces;
+  }
 
  private:
   Eigen::SparseMatrix<double, Eigen::RowMajor> rows_, by_yielding_;

@@ -132,12 +132,7 @@ void ImpactSamples::finish(LinkHistory& history) {
   skipped_ = 0;
 }
 
-void ImpactSamples::archive(Archive& archive) {
-  archive(samples_);
-  archive(last_);
-  archive(stride_);
-  archive(skipped_);
-}
+void ImpactSamples::archive(Archive& archive) { archive(samples_, last_, stride_, skipped_); }
 
 LinkSamples::LinkSamples(const Model& model, const Stepper& stepper, std::vector<LinkHistory>& histories)
     : model_(model), stepper_(stepper), histories_(histories) {

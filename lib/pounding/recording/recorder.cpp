@@ -134,8 +134,7 @@ void Recorder::archive(Archive& archive) {
   links_.archive(archive);
   devices_.archive(archive);
   springs_.archive(archive);
-  archive(max_input_);
-  archive(max_imbalance_);
+  archive(max_input_, max_imbalance_);
   archive_length(archive, results_.energy);
 }
 

@@ -35,10 +35,7 @@ class StepMotion {
     return {begin(row, 2), middle(row, 0), end_minus(row, 2), missed_(row, 0), missed_(row, 1)};
   }
   /// For a checkpoint.
-  void archive(Archive& archive) {
-    archive(before_.h);
-    archive(before_.middle);
-  }
+  void archive(Archive& archive) { archive(before_.h, before_.middle); }
 
  private:
   bool any_link_presses() const;

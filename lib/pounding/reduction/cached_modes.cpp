@@ -32,22 +32,15 @@ void archive_matrix(Archive& archive, SparseMatrix matrix) {
   std::vector<int> starts(matrix.outerIndexPtr(), matrix.outerIndexPtr() + matrix.outerSize() + 1),
       rows(matrix.innerIndexPtr(), matrix.innerIndexPtr() + matrix.nonZeros());
   std::vector<double> values(matrix.valuePtr(), matrix.valuePtr() + matrix.nonZeros());
-  archive(starts);
-  archive(rows);
-  archive(values);
+  archive(starts, rows, values);
 }
 
 void archive_group(Archive& archive, ReducedGroup& group) {
   GroupModes modes = group.modes ? *group.modes : GroupModes{};
   ShadowModes shadow = group.shadow ? *group.shadow : ShadowModes{};
   bool has_shadow = group.shadow != nullptr;
-  archive(modes.shapes);
-  archive(modes.squares);
-  archive(has_shadow);
-  archive(shadow.in_modes);
-  archive(shadow.squares);
-  archive(group.made.flexibility_error);
-  archive(group.made.shadow_flexibility_error);
+  archive(modes.shapes, modes.squares, has_shadow, shadow.in_modes, shadow.squares, group.made.flexibility_error,
+          group.made.shadow_flexibility_error);
   if (!archive.reading()) return;
   group.modes = std::make_shared<const GroupModes>(std::move(modes));
   if (has_shadow) group.shadow = std::make_shared<const ShadowModes>(std::move(shadow));
@@ -58,8 +51,7 @@ Archive archive_of(const std::vector<std::byte>& origin) {
   Archive archive;
   std::string written = format;
   std::vector<std::byte> of = origin;
-  archive(written);
-  archive(of);
+  archive(written, of);
   return archive;
 }
 
@@ -131,8 +123,7 @@ std::optional<ReducedGroup> CachedModes::find(const std::vector<std::byte>& orig
     Archive archive(std::move(*bytes));
     std::string written;
     std::vector<std::byte> of;
-    archive(written);
-    archive(of);
+    archive(written, of);
     if (written != format || of != origin) return std::nullopt;
     archive_group(archive, group);
     archive.expect_end();

@@ -3,7 +3,6 @@
 
 #include <Eigen/Core>
 #include <memory>
-#include <vector>
 
 #include <pounding/linear/group_modes.hpp>
 #include <pounding/model/system.hpp>

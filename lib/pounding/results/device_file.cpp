@@ -1,19 +1,11 @@
-#include <pounding/results/device_file.hpp>
+#include <pounding/results/parts_file.hpp>
 
-#include <stdexcept>
 #include <string>
-
-#include <pounding/results/ends_file.hpp>
-#include <pounding/results/hdf5.hpp>
 
 namespace pounding {
 namespace {
 
-using hdf5::array;
-using hdf5::attribute;
-using hdf5::group;
-using hdf5::Handle;
-using hdf5::Label;
+using namespace hdf5;
 
 void write_device(hid_t parent, const DeviceHistory& device, std::size_t samples) {
   const Handle place = group(parent, device.name);
@@ -22,9 +14,7 @@ void write_device(hid_t parent, const DeviceHistory& device, std::size_t samples
   attribute(place, "coefficient", device.coefficient);
   attribute(place, "exponent", device.exponent);
   const auto history = [&](const Label& label, const std::vector<double>& values) {
-    if (values.size() != samples)
-      throw std::invalid_argument(device.name + ": " + label.name + " has " + std::to_string(values.size()) +
-                                  " values; " + std::to_string(samples) + " are expected");
+    check_length(values.size(), samples, device.name + ": " + label.name);
     array(place, label, values, {samples});
   };
   history({"elongation", "m", "elongation, positive when longer"}, device.elongation);

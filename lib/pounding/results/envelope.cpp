@@ -1,8 +1,5 @@
 #include <pounding/results/envelope.hpp>
 
-#include <algorithm>
-#include <cmath>
-
 namespace pounding {
 
 double Extremes::peak(std::size_t i) const { return std::max({0.0, -min[i], max[i]}); }
@@ -48,8 +45,7 @@ void StructureEnvelope::archive(Archive& archive) {
        {&displacement, &edge_displacement, &acceleration, &drift, &storey_shear, &member_force, &reaction})
     archive(*extremes);
   for (std::vector<std::string>* names : {&members, &components, &supports, &directions}) archive(*names);
-  archive(with_gravity);
-  archive(included);
+  archive(with_gravity, included);
 }
 
 Extremes section_forces(const StructureEnvelope& envelope) {

@@ -103,12 +103,7 @@ struct Extremes {
   void copy(std::size_t i, const Extremes& others, std::size_t from, double factor = 1);
 
   /// For a checkpoint.
-  void archive(Archive& archive) {
-    archive(min);
-    archive(max);
-    archive(t_min);
-    archive(t_max);
-  }
+  void archive(Archive& archive) { archive(min, max, t_min, t_max); }
 
  private:
   bool holds(std::size_t i, double value) const { return value >= min[i] && value <= max[i]; }

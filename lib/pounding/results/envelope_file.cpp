@@ -1,16 +1,11 @@
-#include <pounding/results/envelope_file.hpp>
+#include <pounding/results/parts_file.hpp>
 
 #include <string>
-
-#include <pounding/results/hdf5.hpp>
 
 namespace pounding {
 namespace {
 
-using hdf5::array;
-using hdf5::attribute;
-using hdf5::group;
-using hdf5::Handle;
+using namespace hdf5;
 using Names = std::vector<std::string>;
 
 // Interleaves minimum and maximum values.
@@ -69,7 +64,7 @@ void write_envelopes(hid_t file, const std::vector<StructureHistory>& structures
     write(one, {"base_shear", "base_shear_time", "N", "minimum and maximum shear force of the lowest storey"},
           e.storey_shear, 1, along, "directions");
     if (!e.members.empty()) {
-      hdf5::texts(one, "members", "names of the members", e.members);
+      texts(one, "members", "names of the members", e.members);
       write(one,
             {"member_force", "member_force_time", "N",
              "minimum and maximum force [N] or moment [N m] on an end of a member, local axes"},
@@ -80,7 +75,7 @@ void write_envelopes(hid_t file, const std::vector<StructureHistory>& structures
             axial_forces(e), e.members.size(), {"N"}, "components", &e);
     }
     if (!e.supports.empty()) {
-      hdf5::texts(one, "supports", "names of the supported nodes", e.supports);
+      texts(one, "supports", "names of the nodes that the ground holds", e.supports);
       write(one,
             {"reaction", "reaction_time", "N",
              "minimum and maximum force [N] or moment [N m] of the ground on the structure"},

@@ -1,9 +1,11 @@
 #pragma once
-/// A results file in memory.
+/// A results file in memory, and the state in it from which an interrupted run resumes.
 
 #include <cstddef>
 #include <memory>
+#include <string>
 #include <utility>
+#include <vector>
 
 namespace pounding {
 
@@ -27,6 +29,14 @@ class FileImage {
  private:
   std::shared_ptr<const std::byte> bytes_;
   std::size_t size_ = 0;
+};
+
+/// The state between two steps, and everything that must be the same for the run to continue with the same bits.
+struct Checkpoint {
+  std::string model_file;            ///< absolute path of the input; relative paths in the input start from its folder
+  std::vector<std::string> options;  ///< PETSc options that change the results, sorted: "-pounding_ts_rtol 1e-6"
+  std::string ground;                ///< checksum of the record's samples; empty for a closed form
+  std::vector<std::byte> state;      ///< stepper, TS and recorder of every process (Archive)
 };
 
 }  // namespace pounding

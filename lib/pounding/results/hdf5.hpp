@@ -88,6 +88,13 @@ struct Label {
   const char* long_name;
 };
 
+/// Throws std::invalid_argument unless a list of `what` has the expected length.
+inline void check_length(std::size_t length, std::size_t expected, const std::string& what) {
+  if (length != expected)
+    throw std::invalid_argument(what + " holds " + std::to_string(length) + " values; " + std::to_string(expected) +
+                                " are expected");
+}
+
 /// Writes a chunked array, time first, row-major; any extent may be 0.
 Handle array(hid_t parent, const Label& label, const std::vector<double>& values, const std::vector<hsize_t>& shape);
 Handle integers(hid_t parent, const Label& label, const std::vector<int>& values, const std::vector<hsize_t>& shape);

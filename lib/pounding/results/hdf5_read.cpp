@@ -3,7 +3,6 @@
 #include <pounding/results/hdf5.hpp>
 
 #include <stdexcept>
-#include <utility>
 
 #include <pounding/results/checked_file.hpp>
 

@@ -9,45 +9,26 @@
 namespace pounding {
 namespace {
 
-using hdf5::array;
-using hdf5::attribute;
-using hdf5::group;
-using hdf5::Handle;
-using hdf5::integers;
-
-// Values of each point, one row per point.
-template <class Values>
-std::vector<double> rows(const Pushover& found, Values&& values) {
-  std::vector<double> all;
-  for (int i = 0; i < static_cast<int>(found.path.points.size()); ++i) values(i, all);
-  return all;
-}
+using namespace hdf5;
 
 void write_points(hid_t place, const Pushover& found) {
-  const std::vector<PushPoint>& points = found.path.points;
-  const hsize_t count = points.size(), floors = found.floors.size(), parts = found.parts.size();
-  array(place, {"displacement", "m", "displacement of the roof at the points of the path"},
-        rows(found, [&](int i, auto& all) { all.push_back(points[i].displacement); }), {count});
-  array(place, {"base_shear", "N", "base shear"},
-        rows(found, [&](int i, auto& all) { all.push_back(points[i].factor); }), {count});
-  array(place, {"floor_displacement", "m", "displacement of each floor, from the ground up"},
-        rows(found,
-             [&](int i, auto& all) {
-               for (const double value : found.floor_displacements.row(i)) all.push_back(value);
-             }),
+  const hsize_t count = found.path.points.size(), floors = found.floors.size(), parts = found.parts.size();
+  std::vector<double> roof, shear, displacements, deformations, forces;
+  for (int i = 0; i < static_cast<int>(count); ++i) {
+    const PushPoint& point = found.path.points[i];
+    const auto row = found.floor_displacements.row(i);
+    roof.push_back(point.displacement);
+    shear.push_back(point.factor);
+    displacements.insert(displacements.end(), row.begin(), row.end());
+    deformations.insert(deformations.end(), point.deformations.begin(), point.deformations.end());
+    for (int j = 0; j < static_cast<int>(parts); ++j) forces.push_back(found.force(i, j));
+  }
+  array(place, {"displacement", "m", "displacement of the roof at the points of the path"}, roof, {count});
+  array(place, {"base_shear", "N", "base shear"}, shear, {count});
+  array(place, {"floor_displacement", "m", "displacement of each floor, from the ground up"}, displacements,
         {count, floors});
-  array(place, {"deformation", "m or rad", "deformation of each yielding part"},
-        rows(found,
-             [&](int i, auto& all) {
-               all.insert(all.end(), points[i].deformations.begin(), points[i].deformations.end());
-             }),
-        {count, parts});
-  array(place, {"force", "N or N m", "force of each yielding part"},
-        rows(found,
-             [&](int i, auto& all) {
-               for (int j = 0; j < static_cast<int>(parts); ++j) all.push_back(found.force(i, j));
-             }),
-        {count, parts});
+  array(place, {"deformation", "m or rad", "deformation of each part that yields"}, deformations, {count, parts});
+  array(place, {"force", "N or N m", "force of each part that yields"}, forces, {count, parts});
 }
 
 void write_events(hid_t parent, const Pushover& found) {
@@ -70,18 +51,18 @@ void write_all(hid_t file, const Pushover& found, const std::string& model_text)
   attribute(file, "version", std::string(POUNDING_VERSION));
   attribute(file, "content", std::string("pushover"));
   const Handle input = group(file, "input");
-  hdf5::text(input, "model.yaml", "input as given", model_text);
+  text(input, "model.yaml", "input as given", model_text);
   const Handle place = group(file, "pushover");
   attribute(place, "structure", found.structure);
   attribute(place, "status", found.path.collapse.empty() ? std::string("done") : "collapse: " + found.path.collapse);
-  hdf5::texts(place, "floors", "labels of the floors, from the ground up", found.floors);
+  texts(place, "floors", "labels of the floors, from the ground up", found.floors);
   std::vector<std::string> names;
   for (const Pushover::Part& part : found.parts) names.push_back(part.name);
-  hdf5::texts(place, "parts", "names of the yielding parts", names);
+  texts(place, "parts", "names of the parts that yield", names);
   array(place, {"floor_loads", "1", "share of each floor in the load"}, found.loads, {found.loads.size()});
   write_points(place, found);
   write_events(place, found);
-  hdf5::text(place, "summary", "output of pounding pushover --json, without the points", pushover_json(found, false));
+  text(place, "summary", "what pounding pushover --json prints, without the points", pushover_json(found, false));
 }
 
 }  // namespace

@@ -9,7 +9,6 @@
 #include <cerrno>
 #include <filesystem>
 #include <limits>
-#include <string_view>
 #include <system_error>
 
 #include <pounding/core/error.hpp>

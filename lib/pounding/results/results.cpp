@@ -1,8 +1,6 @@
 #include <pounding/results/results.hpp>
 
 #include <algorithm>
-#include <array>
-#include <cstddef>
 #include <cstring>
 #include <iterator>
 #include <set>
@@ -12,32 +10,13 @@
 #include <fmt/format.h>
 
 #include <pounding/core/error.hpp>
-#include <pounding/results/device_file.hpp>
-#include <pounding/results/ends_file.hpp>
-#include <pounding/results/envelope_file.hpp>
-#include <pounding/results/hdf5.hpp>
+#include <pounding/results/parts_file.hpp>
 #include <pounding/results/replaced_file.hpp>
-#include <pounding/results/spring_file.hpp>
 
 namespace pounding {
 namespace {
 
-using hdf5::array;
-using hdf5::attribute;
-using hdf5::checked;
-using hdf5::group;
-using hdf5::Handle;
-using hdf5::integers;
-using hdf5::Label;
-using hdf5::scalar;
-using hdf5::text;
-using hdf5::texts;
-
-void check_length(std::size_t length, std::size_t expected, const std::string& what) {
-  if (length != expected)
-    throw std::invalid_argument(what + " has " + std::to_string(length) + " values; " + std::to_string(expected) +
-                                " are expected");
-}
+using namespace hdf5;
 
 template <class Histories>
 void check_names(const Histories& histories, const std::string& kind) {
@@ -151,6 +130,51 @@ void write_structure(hid_t parent, const StructureHistory& history, std::size_t 
   if (!history.geometry.positions.empty()) write_geometry(place, history.geometry);
 }
 
+/// A list of an object and its dataset.
+template <class T>
+struct ListField {
+  Label label;
+  std::vector<double> T::* values;
+};
+
+constexpr ListField<LinkHistory> link_fields[] = {
+    {{"time", "s", "time, dense inside contacts"}, &LinkHistory::time},
+    {{"penetration", "m", "penetration, positive when overlapping, negative when open"}, &LinkHistory::penetration},
+    {{"velocity", "m/s", "rate of the penetration, positive when closing"}, &LinkHistory::velocity},
+    {{"force", "N", "contact force, positive when it pushes apart"}, &LinkHistory::force},
+    {{"energy", "J", "work done on the link, stored and lost"}, &LinkHistory::energy},
+};
+
+constexpr ListField<EnergyHistory> energy_fields[] = {
+    {{"time", "s", "time"}, &EnergyHistory::time},
+    {{"input", "J",
+      "relative input energy: work of -M r ag and of forces on the motion relative to the ground, and the energy "
+      "at the start"},
+     &EnergyHistory::input},
+    {{"kinetic", "J", "kinetic energy of the motion relative to the ground"}, &EnergyHistory::kinetic},
+    {{"strain", "J", "elastic energy"}, &EnergyHistory::strain},
+    {{"damping", "J", "energy dissipated by the damping of the structures"}, &EnergyHistory::damping},
+    {{"hysteretic", "J", "energy dissipated by yielding"}, &EnergyHistory::hysteretic},
+    {{"impact", "J", "work done on the links: lost, and stored while they press"}, &EnergyHistory::impact},
+    {{"devices", "J", "energy dissipated by dampers"}, &EnergyHistory::devices},
+    {{"error", "J", "input minus all other parts"}, &EnergyHistory::error},
+};
+
+/// Visits the fields that the file has.
+template <class Visit>
+void visit_energy(const Results& results, Visit&& visit) {
+  for (const ListField<EnergyHistory>& field : energy_fields)
+    if (field.values != &EnergyHistory::devices || results.has_devices()) visit(field);
+}
+
+/// Writes the lists of an object, all as long as its time.
+template <class T>
+void write_list(hid_t place, const ListField<T>& field, const T& object, const std::string& name) {
+  const std::vector<double>& values = object.*field.values;
+  check_length(values.size(), object.time.size(), name + ": " + field.label.name);
+  array(place, field.label, values, {values.size()});
+}
+
 void write_link(hid_t parent, const LinkHistory& history) {
   const Handle place = group(parent, history.name);
   attribute(place, "gap", history.gap);
@@ -158,15 +182,7 @@ void write_link(hid_t parent, const LinkHistory& history) {
   attribute(place, "law", history.law);
   write_ends(place, history);
 
-  const auto column = [&](const Label& label, const std::vector<double>& values) {
-    check_length(values.size(), history.time.size(), history.name + ": " + label.name);
-    array(place, label, values, {values.size()});
-  };
-  column({"time", "s", "time, densely sampled during contact"}, history.time);
-  column({"penetration", "m", "penetration, positive when overlapping, negative when open"}, history.penetration);
-  column({"velocity", "m/s", "rate of the penetration, positive when closing"}, history.velocity);
-  column({"force", "N", "contact force, positive in compression"}, history.force);
-  column({"energy", "J", "work done on the link, stored or dissipated"}, history.energy);
+  for (const auto& field : link_fields) write_list(place, field, history, history.name);
   if (history.tangents == 0) return;
   const std::size_t tangents = history.tangents;
   check_length(history.friction.size(), history.time.size() * tangents, history.name + ": friction");
@@ -232,75 +248,6 @@ void write_impacts(hid_t file, const Results& results) {
               long_names);
 }
 
-void write_energy(hid_t file, const EnergyHistory& energy, bool has_devices) {
-  const Handle place = group(file, "energy");
-  const auto column = [&](const Label& label, const std::vector<double>& values) {
-    check_length(values.size(), energy.time.size(), std::string("energy: ") + label.name);
-    array(place, label, values, {values.size()});
-  };
-  column({"time", "s", "time"}, energy.time);
-  column({"input", "J",
-          "relative input energy: work of -M r ag and of applied forces on the motion relative to the ground, plus the "
-          "initial energy"},
-         energy.input);
-  column({"kinetic", "J", "kinetic energy of the motion relative to the ground"}, energy.kinetic);
-  column({"strain", "J", "elastic energy"}, energy.strain);
-  column({"damping", "J", "energy dissipated by the damping of the structures"}, energy.damping);
-  column({"hysteretic", "J", "energy dissipated by yielding"}, energy.hysteretic);
-  column({"impact", "J", "work done on the links: dissipated, and stored during contact"}, energy.impact);
-  if (has_devices) column({"devices", "J", "energy dissipated by dampers"}, energy.devices);
-  column({"error", "J", "input minus all other terms"}, energy.error);
-}
-
-void write_solver(hid_t file, const Results& results) {
-  const SolverStatistics& solver = results.solver;
-  const Handle place = group(file, "solver");
-  attribute(place, "integrator", results.integrator);
-  attribute(place, "options", fmt::format("{}", fmt::join(results.options, " ")));
-  scalar(place, {"steps", "1", "accepted steps"}, solver.steps);
-  scalar(place, {"rejected", "1", "steps rejected by the error control"}, solver.rejected);
-  scalar(place, {"events", "1", "located touches, reversals, releases and separations"}, solver.events);
-  scalar(place, {"iterations", "1", "iterations of the link equations"}, solver.iterations);
-  scalar(place, {"wall_seconds", "s", "wall time"}, solver.wall_seconds);
-  scalar(place, {"wall_setup", "s", "wall time before the first step"}, solver.wall_setup);
-  scalar(place, {"wall_solve", "s", "wall time of the steps"}, solver.wall_solve);
-  scalar(place, {"wall_output", "s", "wall time of recording and writing"}, solver.wall_output);
-}
-
-// Structures have the names of their groups elsewhere in the file.
-void write_reduction(hid_t file, const Results& results) {
-  const Handle solver(H5Gopen2(file, "solver", H5P_DEFAULT), H5Gclose, "open group solver");
-  const Handle reduction = group(solver, "reduction");
-  attribute(reduction, "deeper", std::to_string(results.deeper));
-  for (const ReducedStructure& s : results.reduced) {
-    const Handle place = group(reduction, s.name);
-    scalar(place, {"coordinates", "1", "coordinates of the structure"}, static_cast<long>(s.coordinates));
-    hdf5::integers(place, {"blocks", "1", "number of blocks in the chains of the links and of the ground"},
-                   {s.link_blocks, s.ground_blocks}, {2});
-    hdf5::integers(
-        place,
-        {"inputs", "1",
-         "number of input vectors of the links, of these friction and devices, of yielding parts, and of the ground"},
-        {s.links, s.frictions, s.devices, s.parts, s.grounds}, {5});
-    scalar(place, {"frequency", "Hz", "frequency of the contact block; 0 for none"}, s.frequency);
-    scalar(place,
-           {"error_force", "1", "three times the estimated error of peak link forces, divided by the largest force"},
-           s.error_force);
-    scalar(place, {"error_displacement", "1", "as error_force, for floor displacements"}, s.error_displacement);
-    scalar(place, {"error_acceleration", "1", "as error_force, for floor accelerations"}, s.error_acceleration);
-    scalar(place, {"error_members", "1", "as error_force, for member forces and moments"}, s.error_members);
-    if (s.checked_windows == 0) continue;
-    scalar(place, {"checked_windows", "1", "number of hardest impacts recomputed with all unknowns"},
-           static_cast<long>(s.checked_windows));
-    scalar(place,
-           {"check_force", "1",
-            "difference of peak link forces in these impacts, divided by the largest force; NaN if no link of the "
-            "structure is hit"},
-           s.check_force);
-    scalar(place, {"check_displacement", "1", "as check_force, for floor displacements"}, s.check_displacement);
-  }
-}
-
 void write_checkpoint(hid_t file, const Results& results) {
   const Checkpoint& checkpoint = *results.checkpoint;
   const Handle place = group(file, "checkpoint");
@@ -308,7 +255,7 @@ void write_checkpoint(hid_t file, const Results& results) {
   text(place, "model_file", "absolute path of the input file", checkpoint.model_file);
   text(place, "options", "PETSc options that affect the results",
        fmt::format("{}", fmt::join(checkpoint.options, "\n")));
-  hdf5::bytes(place, "state", "internal state of the program", checkpoint.state);
+  bytes(place, "state", "state of the program that wrote it", checkpoint.state);
 }
 
 // The run without links shares the input of the enclosing file.
@@ -343,27 +290,16 @@ void visit_all(AnyResults& results, Visit&& visit) {
   }
   for (auto& link : results.links) {
     const std::string place = "links/" + link.name + '/';
-    visit(place + "time", link.time);
-    visit(place + "penetration", link.penetration);
-    visit(place + "velocity", link.velocity);
-    visit(place + "force", link.force);
-    visit(place + "energy", link.energy);
+    for (const auto& field : link_fields) visit(place + field.label.name, link.*field.values);
     if (link.tangents > 0) visit(place + "friction", link.friction);
   }
   for (auto& device : results.devices) {
     visit("devices/" + device.name + "/elongation", device.elongation);
     visit("devices/" + device.name + "/force", device.force);
   }
-  auto& energy = results.energy;
-  visit("energy/time", energy.time);
-  visit("energy/input", energy.input);
-  visit("energy/kinetic", energy.kinetic);
-  visit("energy/strain", energy.strain);
-  visit("energy/damping", energy.damping);
-  visit("energy/hysteretic", energy.hysteretic);
-  visit("energy/impact", energy.impact);
-  if (results.has_devices()) visit("energy/devices", energy.devices);
-  visit("energy/error", energy.error);
+  visit_energy(results, [&](const auto& field) {
+    visit(std::string("energy/") + field.label.name, results.energy.*field.values);
+  });
 }
 
 void write_all(hid_t file, const Results& results) {
@@ -401,10 +337,10 @@ void write_all(hid_t file, const Results& results) {
   write_devices(file, results.devices, results.time.size());
   write_envelopes(file, results.structures);
   write_impacts(file, results);
-  write_energy(file, results.energy, results.has_devices());
+  const Handle energy = group(file, "energy");
+  visit_energy(results, [&](const auto& field) { write_list(energy, field, results.energy, "energy"); });
   text(file, "summary", "summary as JSON", results.summary_json);
   write_solver(file, results);
-  if (!results.reduced.empty()) write_reduction(file, results);
   if (!results.no_pounding.empty())
     hdf5::add_file(file, "no_pounding", results.no_pounding, without_pounding_leaves_out);
   if (results.checkpoint) write_checkpoint(file, results);

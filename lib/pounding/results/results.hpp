@@ -2,7 +2,6 @@
 /// Results of a run in memory and in one HDF5 file, readable with plain h5py.
 
 #include <array>
-#include <cstddef>
 #include <functional>
 #include <optional>
 #include <string>
@@ -10,7 +9,6 @@
 
 #include <pounding/links/impact_row.hpp>
 #include <pounding/model/reduction.hpp>
-#include <pounding/results/checkpoint.hpp>
 #include <pounding/results/envelope.hpp>
 #include <pounding/results/file_image.hpp>
 #include <pounding/results/spring_history.hpp>

@@ -1,17 +1,11 @@
-#include <pounding/results/spring_file.hpp>
+#include <pounding/results/parts_file.hpp>
 
-#include <stdexcept>
 #include <vector>
-
-#include <pounding/results/hdf5.hpp>
 
 namespace pounding {
 namespace {
 
-using hdf5::array;
-using hdf5::group;
-using hdf5::Handle;
-using hdf5::Label;
+using namespace hdf5;
 
 struct SummaryField {
   Label label;
@@ -48,7 +42,7 @@ void write_summary(hid_t place, const SpringHistory& springs) {
   }
   std::vector<std::string> states;
   for (const SpringSummary& row : rows) states.emplace_back(row.state());
-  hdf5::texts(summary, "state", "elastic, yielded at least once, or beyond ultimate", states);
+  texts(summary, "state", "elastic, yielded once at least, or beyond ultimate", states);
 }
 
 }  // namespace
@@ -56,9 +50,9 @@ void write_summary(hid_t place, const SpringHistory& springs) {
 void write_springs(hid_t structure, const std::string& name, const SpringHistory& springs, std::size_t samples) {
   if (springs.size() == 0) return;
   const Handle place = group(structure, "springs");
-  hdf5::texts(place, "names", "names of the yielding parts", springs.names);
-  hdf5::texts(place, "laws", "laws of their forces", springs.laws);
-  array(place, {"stiffness", "N/m", "initial stiffness; for hinges [N m/rad]"}, springs.stiffness, {springs.size()});
+  texts(place, "names", "names of the parts that yield", springs.names);
+  texts(place, "laws", "laws of their forces", springs.laws);
+  array(place, {"stiffness", "N/m", "initial stiffness; of hinges [N m/rad]"}, springs.stiffness, {springs.size()});
   std::vector<double> positive, negative;
   for (const YieldLimits& limits : springs.limits) {
     positive.push_back(limits.positive);
@@ -71,9 +65,7 @@ void write_springs(hid_t structure, const std::string& name, const SpringHistory
   array(place, {"ultimate_rotation", "rad", "ultimate plastic rotation of a hinge; NaN if not given"}, springs.ultimate,
         {springs.size()});
   const auto history = [&](const Label& label, const std::vector<double>& values) {
-    if (values.size() != samples * springs.size())
-      throw std::invalid_argument(name + ": springs, " + label.name + " has " + std::to_string(values.size()) +
-                                  " values; " + std::to_string(samples * springs.size()) + " are expected");
+    check_length(values.size(), samples * springs.size(), name + ": springs, " + label.name);
     array(place, label, values, {samples, springs.size()});
   };
   history({"deformation", "m", "drift of a storey, elongation of a device; rotation of a hinge [rad]"},

@@ -20,24 +20,16 @@ void CycleCounts::follow(std::size_t part, double deformation, const YieldLimits
   if (on > 0 || turns) turn[part] = deformation;
 }
 
-double CycleCounts::cycles(std::size_t part) const { return 0.5 * std::abs(swings[part]); }
-
-void CycleCounts::archive(Archive& archive) {
-  archive(turn);
-  archive(swings);
-}
+void CycleCounts::archive(Archive& archive) { archive(turn, swings); }
 
 void SpringHistory::archive(Archive& archive) {
-  archive(deformations);
-  archive(forces);
+  archive(deformations, forces);
   for (std::vector<double>* values : {&last, &lost, &first_yield, &damping_shear, &plastic}) archive(*values);
   archive(cycles);
 }
 
 void SpringSummary::archive(Archive& archive) {
-  archive(name);
-  archive(law);
-  archive(is_hinge);
+  archive(name, law, is_hinge);
   for (double* value : {&peak, &peak_time, &peak_force, &ductility, &plastic, &ultimate, &cycles, &residual,
                         &energy_lost, &first_yield, &damping_shear})
     archive(*value);

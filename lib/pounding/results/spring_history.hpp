@@ -21,7 +21,7 @@ struct CycleCounts {
   /// Moves a part monotonically to a deformation; `limits` are its deformations at first yield.
   void follow(std::size_t part, double deformation, const YieldLimits& limits);
   /// Half the number of swings of a part.
-  double cycles(std::size_t part) const;
+  double cycles(std::size_t part) const { return 0.5 * std::abs(swings[part]); }
   void archive(Archive& archive);
 };
 

@@ -15,28 +15,21 @@ using Json = nlohmann::ordered_json;
 // An energy imbalance above this multiple of the tolerance indicates an unresolved motion.
 constexpr double suspicious_imbalance = 100;
 
-// An object with reserved capacity: growth would copy all members.
+constexpr double none = std::numeric_limits<double>::quiet_NaN();  // null in JSON, as every number that is not finite
+
+// An object with room for so many members: one that grows copies all that it holds.
 Json object_of(std::size_t members) {
   Json made = Json::object();
   made.get_ref<Json::object_t&>().reserve(members);
   return made;
 }
 
-// JSON has no NaN; missing values are null.
-Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
-
-// One number per place, or one list per place if there are several directions or components.
+// One number a place, or a list a place where there are several directions or components.
 Json places_json(const std::vector<double>& values, std::size_t along) {
+  if (along == 1) return values;
   Json all = Json::array();
-  for (std::size_t i = 0; i < values.size(); i += along) {
-    if (along == 1) {
-      all.push_back(number(values[i]));
-      continue;
-    }
-    Json one = Json::array();
-    for (std::size_t j = 0; j < along; ++j) one.push_back(number(values[i + j]));
-    all.push_back(std::move(one));
-  }
+  for (auto at = values.begin(); at != values.end(); at += static_cast<std::ptrdiff_t>(along))
+    all.push_back(std::vector<double>(at, at + static_cast<std::ptrdiff_t>(along)));
   return all;
 }
 
@@ -52,12 +45,7 @@ Json extremes_json(const Extremes& e, std::size_t along) {
 // The lowest storey in a list of storeys.
 Extremes lowest(const Extremes& storeys, std::size_t along) {
   Extremes base(along);
-  for (std::size_t i = 0; i < along; ++i) {
-    base.min[i] = storeys.min[i];
-    base.max[i] = storeys.max[i];
-    base.t_min[i] = storeys.t_min[i];
-    base.t_max[i] = storeys.t_max[i];
-  }
+  for (std::size_t i = 0; i < along; ++i) base.copy(i, storeys, i);
   return base;
 }
 
@@ -107,13 +95,13 @@ Json yielding_json(const std::vector<SpringSummary>& springs) {
                      {"time", s.peak_time},
                      {"ductility", s.ductility},
                      {"plastic", s.plastic},
-                     {"ultimate_rotation", number(s.ultimate)},
+                     {"ultimate_rotation", s.ultimate},
                      {"cycles", s.cycles},
                      {"residual", s.residual},
                      {"peak_force", s.peak_force},
                      {"energy_lost", s.energy_lost},
-                     {"first_yield", number(s.first_yield)},
-                     {"damping_shear", number(s.damping_shear)}});
+                     {"first_yield", s.first_yield},
+                     {"damping_shear", s.damping_shear}});
   const SpringSummary& maximum = *most_ductile(springs);
   Json all = object_of(3);
   all["yielded"] = std::ranges::count_if(springs, &SpringSummary::yielded);
@@ -133,8 +121,8 @@ Json structures_json(const std::vector<StructureSummary>& structures) {
     one["peak_drift"] = s.peak_drift;
     one["peak_acceleration"] = s.peak_acceleration;
     if (!s.peak_rotation.empty()) {
-      one["peak_rotation"] = places_json(s.peak_rotation, 1);
-      one["peak_edge_displacement"] = places_json(s.peak_edge_displacement, 1);
+      one["peak_rotation"] = s.peak_rotation;
+      one["peak_edge_displacement"] = s.peak_edge_displacement;
     }
     one["envelope"] = envelope_json(s);
     if (s.springs.empty()) continue;
@@ -189,12 +177,12 @@ Json impacts_json(const Summary& summary) {
   for (const ImpactRow& row : summary.impacts)
     all.push_back({{"link", summary.links[row.link].name},
                    {"t_start", row.t_start},
-                   {"t_end", number(row.t_end)},
+                   {"t_end", row.t_end},
                    {"v_approach", row.v_approach},
-                   {"v_separation", number(row.v_separation)},
-                   {"restitution", number(row.restitution)},
-                   {"peak_force", number(row.peak_force)},
-                   {"t_peak", number(row.t_peak)},
+                   {"v_separation", row.v_separation},
+                   {"restitution", row.restitution},
+                   {"peak_force", row.peak_force},
+                   {"t_peak", row.t_peak},
                    {"peak_penetration", row.peak_penetration},
                    {"impulse", row.impulse},
                    {"energy_lost", row.energy_lost},
@@ -208,8 +196,7 @@ Json devices_json(const std::vector<DeviceSummary>& devices) {
     Json one = {{"name", s.name}};
     for (std::size_t i = 0; const char* quantity : {"elongation", "force"}) {
       const Extremes& e = s.extremes;
-      one[quantity] = {
-          {"min", number(e.min[i])}, {"max", number(e.max[i])}, {"t_min", e.t_min[i]}, {"t_max", e.t_max[i]}};
+      one[quantity] = {{"min", e.min[i]}, {"max", e.max[i]}, {"t_min", e.t_min[i]}, {"t_max", e.t_max[i]}};
       ++i;
     }
     one["energy_lost"] = s.energy_lost;
@@ -231,21 +218,20 @@ Json reduction_json(const std::vector<ReducedStructure>& structures) {
                      {"parts", s.parts},
                      {"ground", s.grounds}}},
                    {"frequency", s.frequency},
-                   {"error_force", number(s.error_force)},
-                   {"error_displacement", number(s.error_displacement)},
-                   {"error_acceleration", number(s.error_acceleration)},
-                   {"error_members", number(s.error_members)}};
+                   {"error_force", s.error_force},
+                   {"error_displacement", s.error_displacement},
+                   {"error_acceleration", s.error_acceleration},
+                   {"error_members", s.error_members}};
     if (s.checked_windows > 0)
-      all[s.name]["check"] = {{"windows", s.checked_windows},
-                              {"error_force", number(s.check_force)},
-                              {"error_displacement", number(s.check_displacement)}};
+      all[s.name]["check"] = {
+          {"windows", s.checked_windows}, {"error_force", s.check_force}, {"error_displacement", s.check_displacement}};
   }
   return all;
 }
 
 // If structures collapse without links, no gap is sufficient.
 Json separations_json(const std::vector<LinkSeparation>& separations, bool complete) {
-  const auto of_run = [&](double value) { return complete ? number(value) : Json(nullptr); };
+  const auto of_run = [&](double value) { return complete ? value : none; };
   Json all = Json::array();
   for (const LinkSeparation& s : separations)
     all.push_back({{"link", s.link},
@@ -263,8 +249,7 @@ Json separations_json(const std::vector<LinkSeparation>& separations, bool compl
 LinkSummary summary_of(const std::string& name, std::span<const ImpactRow> impacts) {
   LinkSummary s;
   s.name = name;
-  if (!impacts.empty())
-    s.peak_force = std::numeric_limits<double>::quiet_NaN();  // fmax() replaces it with the first finite force
+  if (!impacts.empty()) s.peak_force = none;  // fmax() replaces it by the first finite force
   for (const ImpactRow& row : impacts) {
     ++s.impacts;
     s.peak_force = std::fmax(s.peak_force, row.peak_force);
@@ -282,7 +267,7 @@ std::string to_json(const Summary& summary) {
   for (const LinkSummary& s : summary.links)
     links.push_back({{"name", s.name},
                      {"impacts", s.impacts},
-                     {"peak_force", number(s.peak_force)},
+                     {"peak_force", s.peak_force},
                      {"peak_penetration", s.peak_penetration},
                      {"impulse", s.impulse},
                      {"energy_lost", s.energy_lost},
@@ -314,9 +299,9 @@ std::string to_json(const Summary& summary) {
     for (std::size_t k = 0; k < summary.structures.size(); ++k) {
       Json ratios = Json::array();
       for (std::size_t i = 0; i < summary.structures[k].peak_displacement.size(); ++i)
-        ratios.push_back(both_complete ? number(summary.structures[k].peak_displacement[i] /
-                                                summary.without_pounding[k].peak_displacement[i])
-                                       : Json(nullptr));
+        ratios.push_back(both_complete ? summary.structures[k].peak_displacement[i] /
+                                             summary.without_pounding[k].peak_displacement[i]
+                                       : none);
       amplification[summary.structures[k].name] = ratios;
     }
     Json& part = all["no_pounding"] = object_of(4);

@@ -55,18 +55,8 @@ struct StructureSummary {
 
   /// For a checkpoint.
   void archive(Archive& archive) {
-    archive(name);
-    archive(peak_displacement);
-    archive(peak_drift);
-    archive(peak_acceleration);
-    archive(directions);
-    archive(peak_rotation);
-    archive(peak_edge_displacement);
-    archive(envelope);
-    archive(springs);
-    archive(residual_displacement);
-    archive(residual_drift);
-    archive(residual_drift_ratio);
+    archive(name, peak_displacement, peak_drift, peak_acceleration, directions, peak_rotation, peak_edge_displacement,
+            envelope, springs, residual_displacement, residual_drift, residual_drift_ratio);
   }
 };
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 namespace pounding {
 namespace {
@@ -16,18 +15,9 @@ bool acts(const LinkStep& step) { return step.force_begin != 0 || step.force_mid
 
 }  // namespace
 
-void ImpactWindow::Step::archive(Archive& archive) {
-  archive(begin);
-  archive(end);
-  archive(forces);
-}
+void ImpactWindow::Step::archive(Archive& archive) { archive(begin, end, forces); }
 
-void ImpactWindow::archive(Archive& archive) {
-  archive(force);
-  archive(u);
-  archive(v);
-  archive(steps);
-}
+void ImpactWindow::archive(Archive& archive) { archive(force, u, v, steps); }
 
 bool ImpactWindows::presses() const {
   for (std::size_t i = 0; i < counts_.size(); ++i)
@@ -78,10 +68,6 @@ void ImpactWindows::end() {
   if (hardest_.size() > maximum) hardest_.pop_back();
 }
 
-void ImpactWindows::archive(Archive& archive) {
-  archive(hardest_);
-  archive(present_);
-  archive(last_pressed_);
-}
+void ImpactWindows::archive(Archive& archive) { archive(hardest_, present_, last_pressed_); }
 
 }  // namespace pounding

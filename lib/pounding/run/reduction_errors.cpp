@@ -259,20 +259,11 @@ void ReductionErrors::archive(Archive& archive) {
   if (floors_.empty()) return;
   measure_waiting();
   if (!archive.reading()) compare_members();
-  archive(forces_);
-  archive(peaks_);
-  archive(shadow_peaks_);
-  archive(outputs_);
+  archive(forces_, peaks_, shadow_peaks_, outputs_);
   for (Floors& floors : floors_) {
-    archive(floors.displacement);
-    archive(floors.acceleration);
-    archive(floors.own);
-    archive(floors.difference);
+    archive(floors.displacement, floors.acceleration, floors.own, floors.difference);
   }
-  archive(last_);
-  archive(last_forces_);
-  archive(kept_);
-  archive(kept_forces_);
+  archive(last_, last_forces_, kept_, kept_forces_);
 }
 
 bool check_exceeds(const ReducedStructure& found, const Reduction& requested, double tolerance) {

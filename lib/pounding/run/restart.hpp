@@ -4,7 +4,6 @@
 #include <string>
 #include <vector>
 
-#include <pounding/results/checkpoint.hpp>
 #include <pounding/results/file_image.hpp>
 
 namespace pounding {

@@ -5,13 +5,11 @@
 #include <optional>
 #include <span>
 #include <stdexcept>
-#include <utility>
 #include <vector>
 
 #include <fmt/chrono.h>
 
 #include <pounding/core/archive.hpp>
-#include <pounding/core/error.hpp>
 #include <pounding/core/version.hpp>
 #include <pounding/input/resolved.hpp>
 #include <pounding/petsc/environment.hpp>

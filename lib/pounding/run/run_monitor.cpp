@@ -1,7 +1,6 @@
 #include <pounding/run/run_monitor.hpp>
 
 #include <algorithm>
-#include <string>
 
 #include <fmt/format.h>
 

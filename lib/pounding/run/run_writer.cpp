@@ -1,6 +1,5 @@
 #include <pounding/run/run_writer.hpp>
 
-#include <exception>
 #include <utility>
 
 #include <fmt/format.h>
@@ -43,9 +42,7 @@ void RunWriter::archive(Archive& archive) {
   petsc::check(petsc::archive(ts_, archive));
   recorder_.archive(archive);
   reduction_.archive(archive);
-  archive(outcome_.summary.without_pounding);
-  archive(outcome_.summary.without_links_status);
-  archive(outcome_.summary.separations);
+  archive(outcome_.summary.without_pounding, outcome_.summary.without_links_status, outcome_.summary.separations);
 }
 
 void RunWriter::save() {

@@ -22,11 +22,6 @@ void EnergyBudget::audit(const Energies& e) {
   share_ = spent > 0.5 ? std::pow(std::max(2 * (1 - spent), shortest_part), error_order_) : 1;
 }
 
-void EnergyBudget::archive(Archive& archive) {
-  archive(largest_);
-  archive(share_);
-  archive(audits_);
-  archive(steps_);
-}
+void EnergyBudget::archive(Archive& archive) { archive(largest_, share_, audits_, steps_); }
 
 }  // namespace pounding

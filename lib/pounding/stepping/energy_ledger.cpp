@@ -87,12 +87,6 @@ Energies EnergyLedger::energies(const Equations& equations, const Instant& now) 
   return e;
 }
 
-void EnergyLedger::archive(Archive& archive) {
-  archive(input_);
-  archive(damping_);
-  archive(on_ground_);
-  archive(friction_);
-  archive(given_);
-}
+void EnergyLedger::archive(Archive& archive) { archive(input_, damping_, on_ground_, friction_, given_); }
 
 }  // namespace pounding

@@ -162,8 +162,6 @@ double ErrorNorm::slip_error(int spring, const Trial& trial, double error) const
   return scale > 0 ? std::abs(error) / scale : 0;
 }
 
-void ErrorNorm::allow(double part) { allowed_ = std::max(part * allowed_by_tolerance_, rounding); }
-
 void ErrorNorm::measure(const Instant& x, std::vector<double>& squares_u, std::vector<double>& squares_v) {
   const StructureSolver& solver = equations_.solver;
   const Eigen::VectorXd& w = solver.weights();
@@ -257,12 +255,7 @@ double ErrorNorm::product(const Eigen::VectorXd& p, const Eigen::VectorXd& q) co
 }
 
 void ErrorNorm::archive(Archive& archive) {
-  archive(scales_.displacement);
-  archive(scales_.velocity);
-  archive(slow_velocity_);
-  archive(rate_scale_);
-  archive(penetration_scale_);
-  archive(stretch_scale_);
+  archive(scales_.displacement, scales_.velocity, slow_velocity_, rate_scale_, penetration_scale_, stretch_scale_);
 }
 
 void add_simpson_error(const ShortMotions& short_motions, const Instant& begin, const Trial& t, double part,

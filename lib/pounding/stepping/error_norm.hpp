@@ -25,8 +25,8 @@ class ErrorNorm {
   /// Link with the largest error in the last ratio(); -1 if it belongs to a group.
   int worst_link() const { return worst_link_; }
 
-  /// Sets the allowed error of the following steps, as a fraction of the error that the tolerance allows.
-  void allow(double part);
+  /// From now on a step may have this part of the error that the tolerance allows.
+  void allow(double part) { allowed_ = std::max(part * allowed_by_tolerance_, rounding); }
 
   /// Initializes the scales from a state.
   void start(const Instant& now);

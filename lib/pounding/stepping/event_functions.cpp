@@ -1,6 +1,5 @@
 #include <pounding/stepping/event_functions.hpp>
 
-#include <algorithm>
 #include <cmath>
 
 namespace pounding {

@@ -1,7 +1,6 @@
 #include <pounding/stepping/held_forces.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 
 #include <pounding/stepping/dense_output.hpp>

@@ -3,7 +3,6 @@
 
 #include <Eigen/Core>
 #include <optional>
-#include <span>
 #include <vector>
 
 #include <pounding/stepping/anderson.hpp>
@@ -122,10 +121,7 @@ class StageSolver {
   int failed_link() const { return failed_link_; }
   /// Number of iterations for link forces and pseudo-forces since the start of the run.
   long iterations() const { return link_solver_.iterations() + repetitions_; }
-  void archive(Archive& archive) {
-    archive(link_solver_);
-    archive(repetitions_);
-  }
+  void archive(Archive& archive) { archive(link_solver_, repetitions_); }
 
  private:
   bool condense(const Stage& stage, Eigen::VectorXd& force, Eigen::Ref<Eigen::VectorXd> x);

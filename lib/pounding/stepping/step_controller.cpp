@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include <fmt/format.h>
 
@@ -163,10 +162,7 @@ double StepController::next_step(double good, bool was_in_contact, bool is_in_co
 }
 
 void StepController::archive(Archive& archive) {
-  archive(step_apart_);
-  archive(step_at_touch_);
-  archive(touched_);
-  archive(events_in_place_);
+  archive(step_apart_, step_at_touch_, touched_, events_in_place_);
   stepper_.archive(archive);
 }
 

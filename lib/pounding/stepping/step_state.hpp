@@ -68,18 +68,8 @@ struct Instant {
 
   /// Writes or reads all members.
   void archive(Archive& archive) {
-    archive(time);
-    archive(ground);
-    archive(ground_carried);
-    archive(motion);
-    archive(force);
-    archive(relative);
-    archive(by_ground);
-    archive(pseudo_force);
-    archive(slip);
-    archive(relief);
-    archive(spring_slopes);
-    archive(force_rates);
+    archive(time, ground, ground_carried, motion, force, relative, by_ground, pseudo_force, slip, relief, spring_slopes,
+            force_rates);
   }
 };
 
@@ -114,19 +104,8 @@ struct Trial {
 
   /// Writes or reads all members.
   void archive(Archive& archive) {
-    archive(h);
-    archive(end);
-    archive(a_middle);
-    archive(force_middle);
-    archive(middle);
-    archive(ground_middle);
-    archive(by_ground_middle);
-    archive(spring_rates);
-    archive(force_rates_begin);
-    archive(error);
-    archive(squares_u);
-    archive(squares_v);
-    archive(squares_slow);
+    archive(h, end, a_middle, force_middle, middle, ground_middle, by_ground_middle, spring_rates, force_rates_begin,
+            error, squares_u, squares_v, squares_slow);
   }
 };
 

@@ -104,10 +104,6 @@ double Stepper::step_towards(double wanted, double left) const {
   return left <= dyadic * (1 + 1e-9) ? left : dyadic;
 }
 
-std::optional<int> Stepper::step_level(double h) const {
-  return equations_.solver.prefers_dyadic_steps() ? dyadic_.level(h) : std::nullopt;
-}
-
 bool Stepper::try_step(double h, std::optional<double> end) {
   const Instant& now = history_.now();
   const SupportExcitation& supports = equations_.supports;
@@ -139,8 +135,6 @@ bool Stepper::solve_trial() {
   if (stages_.failed_link() >= 0) troublesome_link_ = stages_.failed_link();
   return false;
 }
-
-bool Stepper::may_hold_event() const { return locator_.may_find(history_.now(), history_.trial()); }
 
 std::optional<double> Stepper::locate_event(bool at_corners) {
   std::optional<LocatedEvents> found =

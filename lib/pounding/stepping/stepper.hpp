@@ -63,10 +63,10 @@ class Stepper {
   int error_order() const {
     return options_.scheme.error_order() + (options_.scheme.kind == Scheme::Kind::esdirk4 && stages_.presses() ? 1 : 0);
   }
-  /// True if the trial may contain an event; if false, locate_event() would find none.
-  bool may_hold_event() const;
-  /// Estimated end of the first contact phase that ends inside the trial [s after its beginning]; `nullopt` if none
-  /// does.
+  /// Whether the trial may hold an event; where not, locate_event() would find none.
+  bool may_hold_event() const { return locator_.may_find(history_.now(), history_.trial()); }
+  /// About where the first phase of a contact that presses ends inside the trial [s after its beginning]; nothing if
+  /// none does.
   std::optional<double> expected_end_of_phase() const {
     return locator_.expected_end(history_.now(), history_.trial());
   }
@@ -177,7 +177,9 @@ class Stepper {
   };
 
   void look_ahead();
-  std::optional<int> step_level(double h) const;
+  std::optional<int> step_level(double h) const {
+    return equations_.solver.prefers_dyadic_steps() ? dyadic_.level(h) : std::nullopt;
+  }
   bool solve_trial();
   void describe(int link, LinkStep& step) const;
   void describe_springs() const;

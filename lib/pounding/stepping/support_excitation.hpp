@@ -97,11 +97,8 @@ class SupportExcitation {
     return shortest;
   }
 
-  /// Writes or reads the next breakpoint.
-  void archive(Archive& archive) {
-    archive(first_break_);
-    archive(next_break_);
-  }
+  /// Writes the next breakpoint, or reads it back.
+  void archive(Archive& archive) { archive(first_break_, next_break_); }
 
  private:
   const System& system_;

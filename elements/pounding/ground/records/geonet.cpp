@@ -9,7 +9,6 @@
 
 #include <pounding/ground/records/format.hpp>
 
-#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>

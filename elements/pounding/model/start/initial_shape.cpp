@@ -1,4 +1,4 @@
-#include <pounding/model/start/initial_shape.hpp>
+#include <pounding/model/start/start.hpp>
 
 #include <Eigen/QR>
 #include <Eigen/SparseCholesky>

@@ -1,12 +1,9 @@
-#include <pounding/model/start/preload.hpp>
+#include <pounding/model/start/start.hpp>
 
 #include <Eigen/LU>
 #include <Eigen/SparseCholesky>
-#include <algorithm>
-#include <cmath>
 #include <limits>
 #include <map>
-#include <memory>
 #include <stdexcept>
 #include <utility>
 

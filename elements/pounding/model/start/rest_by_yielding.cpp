@@ -1,4 +1,4 @@
-#include <pounding/model/start/rest_by_yielding.hpp>
+#include <pounding/model/start/start.hpp>
 
 #include <Eigen/LU>
 #include <stdexcept>

@@ -1,4 +1,4 @@
-/// `animate`: drawn by Python.
+/// `animate`, `export`, `study` and `separation`: done by Python.
 
 #include <memory>
 #include <string>
@@ -9,6 +9,30 @@
 #include "program/python_process.hpp"
 
 namespace pounding::program {
+namespace {
+
+// Words behind the command are Python's; a --help behind another word is, too.
+void add_python_command(CLI::App& app, const std::string& name, const std::string& meaning, const std::string& more) {
+  CLI::App* command = app.add_subcommand(name, meaning);
+  command->footer(more);
+  command->prefix_command();
+  command->callback([command, name] {
+    std::vector<std::string> arguments{name};
+    for (const std::string& argument : command->remaining()) arguments.push_back(argument);
+    become_python("studies.command", arguments);
+  });
+}
+
+}  // namespace
+
+void add_study(CLI::App& app) {
+  add_python_command(app, "study", "Run a model many times: STUDY.yaml; check, show, merge, plot and export its table",
+                     "All options: pounding study run --help; those of the other verbs: pounding study check --help, "
+                     "show, merge, plot, export");
+  add_python_command(app, "separation",
+                     "The gap that a model needs, by its records and by the rules of codes: MODEL.yaml",
+                     "All options: pounding separation MODEL.yaml --help");
+}
 
 void add_animate(CLI::App& app) {
   struct Options {
@@ -38,6 +62,22 @@ void add_animate(CLI::App& app) {
       if (!value->empty()) arguments.push_back(name + *value);
     run_python({.module = "animation", .product = "animation", .shows_progress = true, .prints = true}, arguments,
                {options->results});
+  });
+}
+
+void add_export(CLI::App& app) {
+  struct Options {
+    std::string results, output;
+  };
+  const auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand("export", "Write a results file for ParaView");
+  command->add_option("results", options->results, "results file that `pounding run` wrote")->required();
+  names_a_file(
+      command->add_option("-o,--output", options->output, "file: .xdmf (default: RESULTS.xdmf in the current folder)"));
+  command->callback([options] {
+    std::vector<std::string> arguments;
+    if (!options->output.empty()) arguments = {"-o", options->output};
+    run_python({.module = "export", .product = "export", .prints = true}, arguments, {options->results});
   });
 }
 

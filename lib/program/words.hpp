@@ -1,9 +1,10 @@
 #pragma once
-/// The input keys in human-readable form.
+/// The words of the input, for a person and for other programs.
 
-#include <span>
 #include <string>
 #include <vector>
+
+#include <nlohmann/json.hpp>
 
 #include <pounding/input/keys/sections.hpp>
 
@@ -21,5 +22,13 @@ std::string necessity_text(const keys::Key& spec, const keys::Section& section);
 
 /// The keys of a section with this need, in its order.
 std::vector<std::string> keys_with(keys::Need need, const keys::Section& section);
+
+/// One section with all facts of its keys.
+nlohmann::ordered_json section_json(const keys::Section& section);
+
+/// A JSON schema (draft 2020-12) of the whole input, by which editors complete and check a model. It takes every input
+/// that the reader takes, and refuses unknown keys, missing keys, other types, choices and ranges; what several keys
+/// say together, only the reader knows.
+nlohmann::ordered_json input_schema();
 
 }  // namespace pounding::program
