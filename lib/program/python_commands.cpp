@@ -11,7 +11,7 @@
 namespace pounding::program {
 namespace {
 
-// Words behind the command are Python's; a --help behind another word is, too.
+// All arguments after the command belong to Python, including a --help after the first of them.
 void add_python_command(CLI::App& app, const std::string& name, const std::string& meaning, const std::string& more) {
   CLI::App* command = app.add_subcommand(name, meaning);
   command->footer(more);

@@ -1,5 +1,5 @@
 #pragma once
-/// The words of the input, for a person and for other programs.
+/// The keys of the input as text and as a JSON schema.
 
 #include <string>
 #include <vector>

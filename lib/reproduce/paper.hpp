@@ -52,7 +52,7 @@ inline double excess_exponent(double restitution) {
   return std::log10(proposed_factor(restitution, 10) / proposed_factor(restitution, 1));
 }
 
-/// The number k/v with which Eq. 16 would give exactly the restitution that is asked.
+/// Value of k/v for which Eq. 16 yields exactly the target restitution.
 inline double fitting_k_over_v(double restitution) {
   const double needed = laws::exact_factor({.restitution = restitution}) / proposed_factor(restitution, 1);
   return std::pow(needed, 1 / excess_exponent(restitution));

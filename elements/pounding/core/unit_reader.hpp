@@ -14,7 +14,7 @@ constexpr bool is_digit(char c) noexcept { return c >= '0' && c <= '9'; }
 /// Reads "kN/m^1.5", "N s/m", "m/s2"; `text` neither begins nor ends with a blank. Throws like parse_unit.
 Unit read_unit(std::string_view text);
 
-/// Every unit of this dimension that has a name of its own: "m", "mm", "cm" ... of a length.
+/// Named units of this dimension: "m", "mm", "cm" ... for a length.
 std::vector<std::string_view> unit_names(const Dimension& dimension);
 
 }  // namespace pounding

@@ -11,9 +11,9 @@
 
 namespace pounding {
 
-/// Penetration [m] at which the sign of a force is asked for: no less than a trace of the peak penetration. So a
-/// release shortly before the separation is not missed, and a law whose formula continues to negative penetrations does
-/// not seem to press again.
+/// Penetration [m] at which the sign of a force is evaluated, bounded below by a small fraction of the peak
+/// penetration. Thus a release shortly before the separation is detected, and a law whose formula extends to negative
+/// penetrations does not appear to be in contact again.
 inline double at_least_a_trace(double penetration, const laws::Impact& impact) noexcept {
   return std::max(penetration, 1e-9 * impact.largest_penetration);
 }

@@ -38,7 +38,7 @@ struct GroundPlan {
   double min_velocity(int structure, double w) const;
 
  private:
-  // Maximum of least(motion), multiplied by the share for the motion of a force on the structure.
+  // Maximum of minimum(motion), multiplied by the share for the motion of a force on the structure.
   template <class Minimum>
   double largest(int structure, const Minimum& minimum) const;
 };

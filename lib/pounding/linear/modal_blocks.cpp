@@ -33,7 +33,7 @@ GroupModes natural_modes(const System& system, const Group& group, const Eigen::
     const Eigen::MatrixXd coupling = dense_submatrix(system.stiffness, massless, dynamic, group.first);
     const Eigen::SimplicialLLT<SparseMatrix> solver(submatrix(system.stiffness, massless, massless, group.first));
     if (solver.info() != Eigen::Success)
-      throw std::invalid_argument("the stiffness leaves an unknown without mass loose");
+      throw std::invalid_argument("the stiffness of the massless degrees of freedom is singular; fix or connect them");
     recovery = -solver.solve(coupling);
     stiffness += coupling.transpose() * recovery;
     stiffness = 0.5 * (stiffness + stiffness.transpose().eval());

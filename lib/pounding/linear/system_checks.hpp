@@ -1,6 +1,6 @@
 #pragma once
-/// The rows of a system on each process, requirements of the sparse solver on it, and the name of what makes a matrix
-/// singular. Every process checks the whole System, so that all find the same.
+/// Rows of a system on each process, requirements of the sparse solver, and the degree of freedom that makes a matrix
+/// singular. Every process checks the whole System, so that all reach the same result.
 
 #include <vector>
 

@@ -177,9 +177,9 @@ Eigen::VectorXd StructureHistories::forces_beside(int k, const Eigen::VectorXd& 
   return all(reported_[k]);
 }
 
-// Displacements and velocities are relative to the ground at the first support, accelerations absolute; `beside`:
-// additional forces.
-void StructureHistories::append(int k, const FrameQuantities& of, const Eigen::VectorXd& beside,
+// Displacements and velocities are relative to the ground at the first support, accelerations absolute; `added`: forces
+// in addition to those of the system.
+void StructureHistories::append(int k, const FrameQuantities& of, const Eigen::VectorXd& added,
                                 const OutputInstant& at) {
   const Structure& s = model_.structures[k];
   StructureHistory& history = histories_[k];
@@ -208,7 +208,7 @@ void StructureHistories::append(int k, const FrameQuantities& of, const Eigen::V
   const std::size_t from = history.end_forces.size(), ends = s.reported_members.size() * s.forces.components.size();
   for (std::size_t i = 0; i < reported_[k].size(); ++i) {
     const auto at_row = static_cast<Eigen::Index>(i);
-    const double force = (of.forces[at_row] + s.forces.at_rest[reported_[k][i]]) + beside[at_row];
+    const double force = (of.forces[at_row] + s.forces.at_rest[reported_[k][i]]) + added[at_row];
     (i < ends ? history.end_forces : history.reaction).push_back(force);
   }
   if (stepper_.system().contact_count() > 0) add_fixed_end_forces(k, from, at);

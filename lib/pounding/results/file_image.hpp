@@ -31,7 +31,7 @@ class FileImage {
   std::size_t size_ = 0;
 };
 
-/// The state between two steps, and everything that must be the same for the run to continue with the same bits.
+/// State between two steps, and everything that must be unchanged for bitwise identical results after a resume.
 struct Checkpoint {
   std::string model_file;            ///< absolute path of the input; relative paths in the input start from its folder
   std::vector<std::string> options;  ///< PETSc options that change the results, sorted: "-pounding_ts_rtol 1e-6"

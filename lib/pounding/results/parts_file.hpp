@@ -1,5 +1,5 @@
 #pragma once
-/// Parts of the results file with sources of their own.
+/// Writers of the parts of a results file.
 
 #include <hdf5.h>
 
@@ -12,17 +12,17 @@
 
 namespace pounding {
 
-/// Writes the group /devices: histories at the output times, and the extremes over all steps under `envelope`. Nothing
-/// without devices. Throws std::invalid_argument where a history has not `samples` values.
+/// Writes the group /devices: histories at the output times, and the extremes over all steps under `envelope`. No
+/// group without devices. Throws std::invalid_argument if a history does not have `samples` values.
 void write_devices(hid_t file, const std::vector<DeviceHistory>& devices, std::size_t samples);
 
-/// Writes the group /envelopes/structures/NAME of each structure: for each quantity least and largest value in the last
-/// place, and beside it their times. Throws std::runtime_error when HDF5 fails.
+/// Writes the group /envelopes/structures/NAME of each structure: minimum and maximum of each quantity along the last
+/// dimension, and their times in a second dataset. Throws std::runtime_error if HDF5 fails.
 void write_envelopes(hid_t file, const std::vector<StructureHistory>& structures);
 
-/// Writes the group `springs` of a structure: histories at the output times, and the run in a few numbers a part under
-/// `summary`. Nothing for a structure that stays elastic. Throws std::invalid_argument where a history has not
-/// `samples` values a part.
+/// Writes the group `springs` of a structure: histories at the output times, and a few numbers per part under
+/// `summary`. No group for a structure that remains elastic. Throws std::invalid_argument if a history does not have
+/// `samples` values per part.
 void write_springs(hid_t structure, const std::string& name, const SpringHistory& springs, std::size_t samples);
 
 /// Writes the group /solver, with the reduction if structures are reduced.

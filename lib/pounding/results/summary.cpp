@@ -17,7 +17,7 @@ constexpr double suspicious_imbalance = 100;
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();  // null in JSON, as every number that is not finite
 
-// An object with room for so many members: one that grows copies all that it holds.
+// An object with capacity for this number of members, which avoids copies while it grows.
 Json object_of(std::size_t members) {
   Json made = Json::object();
   made.get_ref<Json::object_t&>().reserve(members);

@@ -25,7 +25,7 @@ class ErrorNorm {
   /// Link with the largest error in the last ratio(); -1 if it belongs to a group.
   int worst_link() const { return worst_link_; }
 
-  /// From now on a step may have this part of the error that the tolerance allows.
+  /// Limits the error of later steps to this fraction of the tolerance.
   void allow(double part) { allowed_ = std::max(part * allowed_by_tolerance_, rounding); }
 
   /// Initializes the scales from a state.

@@ -1,5 +1,5 @@
 #pragma once
-/// State of a model at the start.
+/// Initial state of a model.
 
 #include <Eigen/Core>
 #include <vector>
@@ -9,32 +9,31 @@
 
 namespace pounding {
 
-/// Displacements of all unknowns when forces hold the floors at these displacements along x, one a floor from the
-/// ground up [m], and nothing else acts: K q = the forces. Relative to the state at rest. Throws std::invalid_argument
-/// for a frame without floors, for a floor that moves as a node without mass does, and for a frame that nothing holds.
+/// Displacements of all degrees of freedom if forces hold the floors at the given displacements along x (one per floor,
+/// from the ground up [m]) and no other loads act. Relative to the state at rest. Throws std::invalid_argument for a
+/// frame without floors, a floor that moves with a massless node, and an unsupported frame.
 Eigen::VectorXd shape_of_floors(const Structure& frame, const std::vector<double>& displacements);
 
-/// Shape by displacements of nodes. Throws std::invalid_argument, too, for a node or a displacement that is not there,
-/// is held or has no mass, and for two that are the same unknown.
+/// The same for displacements of nodes. Also throws std::invalid_argument for an unknown node, for a displacement that
+/// is fixed or massless, and for two displacements of one degree of freedom.
 Eigen::VectorXd shape_of_nodes(const Structure& frame, const std::vector<NodeDisplacement>& displacements);
 
-/// Static equilibrium of the structures under the contacts that are preloaded, which is where the run begins. A link
-/// with a gap of -p presses by p where its structures are undeformed; they give way until the forces balance:
+/// Static equilibrium of the structures under preloaded contacts: the initial state of the run. A link with a gap of -p
+/// has the penetration p for undeformed structures; these deform until the forces balance:
 ///
 ///     K u + B F(p + B^T u) = 0,
 ///
-/// with the law's force F of a first slow loading. Sets the structures' preload_displacement and presses the contacts.
-/// Throws ModelError for a structure that nothing holds, that starts displaced, yields, or has elastic forces beyond K
-/// u, for a law that has no force at rest, and where a preloaded link would start open or another one closed.
+/// with the force F of the law for a first slow loading. Sets preload_displacement of the structures and closes the
+/// contacts. Throws ModelError for a structure that is unsupported, initially displaced, yields, or has elastic forces
+/// other than K u, for a law without force at rest, and if a preloaded link would start open or another one closed.
 void press_preloaded(std::vector<Structure>& structures, std::vector<Link>& links);
 
-/// How far a structure gives way under gravity beyond what its elastic stiffness says [m], [rad]: q with
+/// Displacements q of a structure under gravity due to yielding, in addition to its elastic response [m], [rad]:
 ///
 ///     K q + B F = 0,   F = phi(d0 + B^T q - R F),
 ///
-/// where the loads bring the parts straight from nothing to their deformations; devices are put in afterwards. Zero
-/// without such parts, and then empty. Puts the parts back to where they were made. Throws std::invalid_argument where
-/// the laws find no equilibrium.
+/// where the loads deform the parts monotonically from zero; devices are installed afterwards. Empty without such
+/// parts. Resets the parts to their initial state. Throws std::invalid_argument if the laws have no equilibrium.
 Eigen::VectorXd rest_by_yielding(const Structure& structure);
 
 }  // namespace pounding
