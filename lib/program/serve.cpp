@@ -70,7 +70,7 @@ bool reader_is_gone() {
 // Exit code of a successful command.
 int printed() {
   if ((std::fflush(stdout) == 0 && !std::ferror(stdout)) || reader_is_gone()) return done;
-  return report("what was printed could not be written", bad_input);
+  return report("the output could not be written", bad_input);
 }
 
 }  // namespace

@@ -24,7 +24,7 @@ def exit_code(main: Callable[[], int]) -> int:
             print(f"pounding: {text}", file=sys.stderr)
         output.flush()
         if output.error is not None and not isinstance(output.error, BrokenPipeError):
-            print(f"pounding: what was printed could not be written: {output.error.strerror}", file=sys.stderr)
+            print(f"pounding: the output could not be written: {output.error.strerror}", file=sys.stderr)
             code = code or 2
         errors.flush()
         return code

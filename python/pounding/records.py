@@ -45,6 +45,6 @@ def record(name: str) -> Path:
     if len(found) == 1:
         return files[found[0]]
     raise InputError(
-        f"{'no' if not found else 'more than one'} record is meant by {excerpt(name)}. There "
-        f"{'are' if len(found or files) > 1 else 'is'} {', '.join(found or files)}"
+        f"{excerpt(name)} matches {'no record' if not found else 'several records'}; "
+        f"{'available' if not found else 'matching'}: {', '.join(found or files)}"
     )

@@ -24,7 +24,7 @@ from pounding.errors import InputError, excerpt
 
 
 class YieldingParameter(Parameter):
-    """One parameter of a law of yielding."""
+    """One parameter of a hysteretic law."""
 
 
 @dataclass(frozen=True)
@@ -53,7 +53,7 @@ class Loop(NamedTuple):
 
 @dataclass(frozen=True)
 class YieldingKind:
-    """A law of yielding with its tables. Call it with parameters to get a `YieldingLaw`."""
+    """A hysteretic law with its tables. Call it with parameters to get a `YieldingLaw`."""
 
     name: str
     shape: str  #: the force as a formula
@@ -116,7 +116,7 @@ class YieldingLaw:
 class _Kinds(Kinds[YieldingKind]):
     """Laws of yielding by name."""
 
-    variable, noun = "hysteresis", "law of yielding"
+    variable, noun = "hysteresis", "hysteretic law"
 
     def __init__(self) -> None:
         super().__init__(map(_kind, core.yielding_catalogue()))
@@ -124,7 +124,7 @@ class _Kinds(Kinds[YieldingKind]):
     def _unknown(self, name: str) -> str:
         near = difflib.get_close_matches(name[:100], self._kinds, 1)
         hint = f'Did you mean "{near[0]}"?' if near else f"Allowed: {', '.join(self._kinds)}."
-        return f"unknown law of yielding {excerpt(name)}. {hint}"
+        return f"unknown hysteretic law {excerpt(name)}. {hint}"
 
 
 def _kind(entry: dict[str, Any]) -> YieldingKind:

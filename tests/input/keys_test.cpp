@@ -33,7 +33,12 @@ using test::with_key;
 using test::with_keys;
 
 /// Models are in the folder of the records that the examples refer to.
-Model read(const std::string& text) { return read_model(Input::read_text(text, testing::TempDir() + "words.yaml")); }
+/// Each test has its own folder: tests of this file run at the same time.
+std::string folder() {
+  return testing::TempDir() + "keys_" + testing::UnitTest::GetInstance()->current_test_info()->name() + "/";
+}
+
+Model read(const std::string& text) { return read_model(Input::read_text(text, folder() + "model.yaml")); }
 
 std::string refusal(const std::string& text) {
   try {
@@ -52,7 +57,10 @@ void for_each_key(const std::function<void(const Section&, const Key&)>& act) {
 
 class Words : public testing::Test {
  protected:
-  void SetUp() override { test::write_records(testing::TempDir()); }
+  void SetUp() override {
+    std::filesystem::create_directories(folder());
+    test::write_records(folder());
+  }
 };
 
 TEST_F(Words, EachExampleIsRead) {

@@ -21,6 +21,7 @@ namespace pounding::hysteresis {
 using AnyLaw =
     std::variant<Bilinear, MenegottoPinto, BoucWen, PeakOriented, FrictionPendulum, LeadRubber, Elastomeric, Backfill>;
 
+/// Their catalogue.
 using Laws = laws::Catalogue<Settings, Entry, AnyLaw>;
 
 /// Entries of all laws, in the order of AnyLaw.

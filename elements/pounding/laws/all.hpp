@@ -32,6 +32,7 @@ using AnyLaw = std::variant<LinearSpring, KelvinVoigt, KelvinVoigtNoTension, Kom
                             ModifiedKelvin, Hertz, HertzDamped, Jankowski, BilinearHertz, ViscousHertz, KuwabaraKono,
                             AdamsImpact, LimitedDamper, Stereomechanical, Elastoplastic, Backfill>;
 
+/// Their catalogue.
 using Laws = Catalogue<Settings, Entry, AnyLaw>;
 
 /// Entries of all laws, in the order of AnyLaw.

@@ -31,6 +31,7 @@ struct Parameter {
   constexpr Parameter(const ParameterInfo& of, double L::* member) : info(of), value(member) {}
   constexpr Parameter(const ParameterInfo& of, std::optional<double> L::* member) : info(of), choice(member) {}
 
+  /// Sets the member of the law [SI].
   void set(L& law, double number) const {
     if (value)
       law.*value = number;

@@ -1,4 +1,4 @@
-"""Uniaxial materials of an OpenSees model as laws of yielding."""
+"""Uniaxial materials of an OpenSees model as hysteretic laws."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ EXACT = {
 
 @dataclass(frozen=True)
 class Law:
-    """A law of yielding with its input values, named as for a force; `moments` and `times` convert them."""
+    """A hysteretic law with its input values, named as for a force; `moments` and `times` convert them."""
 
     name: str
     values: Mapping[str, Any]
@@ -68,7 +68,7 @@ class Material:
                 raise self.refuse(f"{name} is {self.values[name]:g}, and only {value:g} is supported")
 
     def law(self) -> Law:
-        """The equivalent law of yielding. Raises InputError for other materials."""
+        """The equivalent hysteretic law. Raises InputError for other materials."""
         if self.kind not in LAWS:
             raise self.refuse(f"it is not supported here; {', '.join(_plain(kind) for kind in LAWS)} are")
         return LAWS[self.kind](self)

@@ -64,7 +64,7 @@ def cut_records(template: Template, points: Points, last_arrival: float, files: 
     return [
         f"analysis: the duration of {duration:.4g} s cuts {cut} of {count} record{'s' if count > 1 else ''}, by more than {100 * MAX_CUT:g} % of the Arias "
         f"intensity and up to {100 * worst:.0f} %; type a duration of at least {math.ceil(10 * needed) / 10:.6g} s, or leave it out, and each row lasts as "
-        "long as its record (where it is meant: accept: [duration] in the model)"
+        "long as its record (to suppress this warning: accept: [duration] in the model)"
     ]
 
 

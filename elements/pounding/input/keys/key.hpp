@@ -78,6 +78,7 @@ struct Value {
     return with([&](Value& v) { v.noun = name; });
   }
 
+  /// Arrangements of the value, see Form; `members`, `from` and `to` are the permitted lengths of a list.
   constexpr Value or_each() const { return as(Form::one_or_each); }
   constexpr Value or_list() const { return as(Form::one_or_list); }
   constexpr Value or_list(int members) const { return as(Form::one_or_list, members, members); }
@@ -101,6 +102,7 @@ struct Value {
   }
 };
 
+/// Kinds of values, see Takes.
 constexpr Value quantity(const Dimension& dimension, const Bounds& bounds = {}) {
   return {.takes = Takes::quantity, .dimension = dimension, .bounds = bounds};
 }
