@@ -21,6 +21,7 @@
 #include <pounding/petsc/ranks.hpp>
 #include <pounding/run/restart.hpp>
 #include <pounding/run/run.hpp>
+#include <pounding/run/ts_setup.hpp>
 
 #include "bindings.hpp"
 #include "source.hpp"
@@ -84,7 +85,7 @@ std::vector<std::byte> image_for_all(const petsc::Ranks& ranks, const Results& r
 Ran ran(const Model& model, Outcome outcome, std::string failure) {
   // The warning about energies, the last one, is reported separately.
   std::vector<std::string> warnings = outcome.summary.warnings;
-  std::string of_energies = warning(outcome.summary, model.analysis.tolerance);
+  std::string of_energies = warning(outcome.summary, effective_settings(model).stepper.tolerance);
   std::erase(warnings, of_energies);
   if (!failure.empty()) of_energies.clear();
   Ran ran{.results = nullptr,

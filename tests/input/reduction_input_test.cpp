@@ -164,7 +164,8 @@ TEST(ReductionInput, IsWhatModalDampingOfManyModesNeeds) {
 TEST(ReductionInput, RejectsNumbersForWallsAndBodies) {
   const std::string pair =
       "links: [{between: [a, b], gap: 1 mm, law: hertz, stiffness: 1e9}]\nanalysis: {duration: 1}\nstructures:\n";
-  refused(pair + "  a: {body: {mass: 1 t, initial_velocity: 1}, reduction: {links: 5}}\n  b: {wall: {}}\n", {"ground"});
+  refused(pair + "  a: {body: {mass: 1 t, initial_velocity: 1}, reduction: {links: 5}}\n  b: {wall: {}}\n",
+          {"a", "reduction: none"});
   refused(pair + "  a: {body: {mass: 1 t, initial_velocity: 1}}\n  b: {wall: {}, reduction: {links: 5}}\n",
           {"modes", "wall"});
 }

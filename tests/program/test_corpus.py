@@ -114,7 +114,7 @@ class Models(CorpusTest):
             "tab_in_link_name": ["links[0].name:", '"a\\tb"', "control character"],
             "aliases_ten_of_ten": ["1000000 values"],
             "alias_of_itself": [":2:6:", "alias"],
-            "merge_key": ["merge key", "<<"],
+            "merge_key": [":5:5:", "<<"],
             "deep_by_aliases": ["64"],
             "period_1e308": [":3:39: structures.a.oscillator.period:", "m (2 pi/T)^2"],
             "floor_beyond_int": [":6:16: links[0].between[0]:", '"a.99999999999"'],

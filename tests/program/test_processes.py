@@ -12,8 +12,8 @@ from pathlib import Path
 
 import h5py
 import numpy as np
-from messages import assert_mentions
 from support import LAUNCHER, MASTS, OSCILLATORS, PROGRAM, SURROUNDINGS, UNSOLVABLE, ProgramTest, is_sealed
+from messages import assert_mentions
 
 SPARSE = ("-pounding_ts_pounding_base", "sparse")
 #: Longest wait [s]; a run that hangs fails its test.

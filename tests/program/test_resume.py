@@ -302,7 +302,7 @@ class Refused(Resumed):
             "generalized_alpha",
         )
         self.cut()
-        self.refuse(["-pounding_ts_pounding_radius", "0.8"], "-pounding_ts_pounding_radius", "0.8")
+        self.refuse("-pounding_ts_pounding_radius", "-pounding_ts_pounding_radius", "0.8")
 
     def test_damaged_data(self):
         self.cut()

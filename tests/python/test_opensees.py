@@ -143,24 +143,22 @@ class TwoOscillators(unittest.TestCase):
     def test_mistakes_are_told(self):
         two_oscillators()
         ops.node(5, 3.0)
-        for message, wrong in {
-            "node 7": lambda: opensees.link(100, 2, 7, gap=0, law="hertz", stiffness=1e9),
-            r'unknown law "hertzz". Did you mean "hertz"': lambda: opensees.link(
-                100, 2, 4, gap=0, law="hertzz", stiffness=1e9
-            ),
-            "gap is -0.1": lambda: opensees.link(100, 2, 4, gap=-0.1, law="hertz", stiffness=1e9),
-            "takes a length|length": lambda: opensees.link(100, 2, 4, gap="2 s", law="hertz", stiffness=1e9),
-            "no degree of freedom 2": lambda: opensees.link(100, 2, 4, gap=0, law="hertz", stiffness=1e9, dof=2),
-            "element 1 is there already": lambda: opensees.link(1, 2, 4, gap=0, law="hertz", stiffness=1e9),
-            r"node 5 at 3 .*node 2.*link\(100, 2, 5": lambda: opensees.link(
+        for facts, wrong in {
+            ("node 7",): lambda: opensees.link(100, 2, 7, gap=0, law="hertz", stiffness=1e9),
+            ("hertzz", "hertz"): lambda: opensees.link(100, 2, 4, gap=0, law="hertzz", stiffness=1e9),
+            ("gap", "-0.1"): lambda: opensees.link(100, 2, 4, gap=-0.1, law="hertz", stiffness=1e9),
+            ("20 mm", "2 s"): lambda: opensees.link(100, 2, 4, gap="2 s", law="hertz", stiffness=1e9),
+            ("degree of freedom 2",): lambda: opensees.link(100, 2, 4, gap=0, law="hertz", stiffness=1e9, dof=2),
+            ("element 1",): lambda: opensees.link(1, 2, 4, gap=0, law="hertz", stiffness=1e9),
+            ("node 5", "node 2", "link(100, 2, 5, ...)"): lambda: opensees.link(
                 100, 5, 2, gap=0, law="hertz", stiffness=1e9
             ),
-            "node 5 has no mass.*reduced_mass": lambda: opensees.link(
+            ("node 5", "reduced_mass"): lambda: opensees.link(
                 100, 2, 5, gap=0, law="jankowski", stiffness=1e9, restitution=0.6
             ),
-            "jump of the velocity": lambda: opensees.link(100, 2, 4, gap=0, law="stereomechanical", restitution=0.6),
+            ("stereomechanical",): lambda: opensees.link(100, 2, 4, gap=0, law="stereomechanical", restitution=0.6),
         }.items():
-            with self.subTest(message), raises(pounding.InputError, message):
+            with self.subTest(facts), raises(pounding.InputError, facts):
                 wrong()
         self.assertEqual(ops.getEleTags(), [1, 2])
 

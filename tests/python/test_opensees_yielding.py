@@ -344,7 +344,7 @@ class Yielding(unittest.TestCase):
         frame("BoucWen", 0.05, K, 2.0, 1e3, 1e3, 0.5, 0.0, 0.0, 0.0)
         self.refused(["0", "Ao", "5"])
         frame("ENT", K)
-        self.refused(["ENT", "Steel01", "Steel02"])
+        self.refused(["ENTMaterial", "Steel01", "Steel02"])
 
         def loose(*words):
             plane()
