@@ -197,9 +197,10 @@ class Lock:
 
     def release(self) -> None:
         """Releases the lock."""
-        if self._descriptor >= 0:
-            os.close(self._descriptor)
-            self._descriptor = -1
+        # An exception of a signal handler may come at any time: never close a descriptor twice.
+        descriptor, self._descriptor = self._descriptor, -1
+        if descriptor >= 0:
+            os.close(descriptor)
 
     def __del__(self) -> None:
         self.release()

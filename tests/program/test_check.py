@@ -82,8 +82,8 @@ analysis: {duration: 1}
                         f"{elastic / 1000000.0:.4g}",
                     ],
                 )
-                changed = "hinges.columns.bilinear.hardening: is the ratio of the member end; version 0.2.0 took 3 % as that of the bare spring"
-                self.assertEqual(changed in text.stderr + text.stdout, hinges.startswith("bilinear"))
+                changed = "hinges.columns.bilinear.hardening" in text.stderr and "version 0.2.0 used 3 %" in text.stderr
+                self.assertEqual(changed, hinges.startswith("bilinear"))
 
     def test_tells_the_strength_of_storeys_that_can_sway(self):
         [storey] = self.found("columns: {at: both, yield_moment: [200 kN m, -150 kN m]}")["portal"]["storey_mechanisms"]

@@ -127,7 +127,7 @@ class Options(ProgramTest):
         # In addition to its estimated error each run may be off by the tolerance 1e-4.
         self.assertLess(abs(found - peak), (told["error_force"] + 2e-4) * peak)
         done = self.pounding("run", path, "-o", "out.h5", "-pounding_red_links", "5")
-        assert_mentions(done.stdout, ["5", "20", "it: forces"])
+        assert_mentions(done.stdout, ["5", "20", "reduction: forces"])
         with h5py.File(self.folder / "out.h5") as file:
             left = file["solver/reduction/left"]
             self.assertEqual(list(left["blocks"]), [5, 20])

@@ -99,7 +99,7 @@ class Outputs(ProgramTest):
             others = (
                 (folder, "it is a directory"),
                 (device, "not a regular file"),
-                (self.folder / "missing" / made, "irectory"),
+                (self.folder / "missing" / made, "mkdir -p"),
             )
             # The files of the program and those of Python each have one guard: one command of each is enough.
             for target, told in ((fifo, ()), *(others if words[0] in ("record", "export") else ())):
@@ -132,9 +132,9 @@ class Outputs(ProgramTest):
     def test_a_reproduction_leaves_folders_of_others_alone(self):
         (self.folder / "mine").mkdir()
         self.write("{}", "mine/report.json")
-        self.refused(2, "table2", "reproduce", "-o", "mine", "--only", "table2")
+        self.refused(2, "mine", "reproduce", "-o", "mine", "--only", "table2")
         os.rename(self.folder / "mine/report.json", self.folder / "mine/notes.txt")
-        self.refused(2, "table2", "reproduce", "-o", "mine", "--only", "table2")
+        self.refused(2, "mine", "reproduce", "-o", "mine", "--only", "table2")
         self.assertEqual(os.listdir(self.folder / "mine"), ["notes.txt"])
 
 

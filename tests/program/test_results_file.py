@@ -98,15 +98,15 @@ class EarlierFile(ProgramTest):
         self.assertEqual((self.folder / "out.h5").read_bytes(), self.before)
 
     def test_survives_a_wrong_input(self):
-        self.refused(2, "out.h5", "run", self.write(OSCILLATORS.replace("jankowski", "soft")), "--json", "-o", "out.h5")
+        self.refused(2, "soft", "run", self.write(OSCILLATORS.replace("jankowski", "soft")), "--json", "-o", "out.h5")
         self.check()
 
     def test_survives_a_model_that_is_not_there(self):
-        self.refused(2, "out.h5", "run", "none.yaml", "--json", "-o", "out.h5")
+        self.refused(2, "none.yaml", "run", "none.yaml", "--json", "-o", "out.h5")
         self.check()
 
     def test_survives_an_unknown_option(self):
-        self.refused(2, "out.h5", "run", "good.yaml", "--json", "-o", "out.h5", "--fast")
+        self.refused(2, "--fast", "run", "good.yaml", "--json", "-o", "out.h5", "--fast")
         self.check()
 
     @unittest.skipIf(os.geteuid() == 0, "for root every file can be written")
@@ -116,7 +116,7 @@ class EarlierFile(ProgramTest):
         self.check()
 
     def test_is_replaced_by_what_a_failed_solve_has_reached(self):
-        self.refused(3, "out.h5", "run", self.write(UNSOLVABLE), "-q", "-o", "out.h5")
+        self.refused(3, [], "run", self.write(UNSOLVABLE), "-q", "-o", "out.h5")
         with h5py.File(self.folder / "out.h5") as file:
             self.assertIn("failed", file.attrs["status"])
 

@@ -276,19 +276,5 @@ class InterruptedStudy(unittest.TestCase):
         self.assertEqual(said.split(), ["started", "interrupted"])
 
 
-class Readme(unittest.TestCase):
-    @unittest.skipUnless((ROOT / "README.md").exists(), "the sources are missing")
-    def test_the_example_prints_what_it_says(self):
-        text = (ROOT / "README.md").read_text()
-        block = text[text.index("```python") :]
-        code, printed = (
-            part.split("\n", 1)[1].split("```")[0] for part in (block, block[block.index("```\n\n```") + 5 :])
-        )
-        with tempfile.TemporaryDirectory() as folder:
-            os.symlink(EXAMPLES, Path(folder) / "examples")
-            done = subprocess.run([sys.executable, "-c", code], cwd=folder, capture_output=True, text=True, timeout=60)
-            self.assertEqual((done.stderr, done.stdout.strip()), ("", printed.strip()))
-
-
 if __name__ == "__main__":
     unittest.main()
