@@ -306,7 +306,7 @@ class _Reader:
         plain = _without_template(text).strip()
         line = self._line(begin)
         if not plain or re.match(
-            r"(friend|static_assert|extern template|using namespace|typedef struct \w+ \w+$)\b", plain
+            r"(friend|static_assert|extern template|using namespace|using enum|typedef struct \w+ \w+$)\b", plain
         ):
             if not plain.startswith("typedef struct"):
                 return None
@@ -327,6 +327,8 @@ class _Reader:
         if match := re.search(r"\(\s*\*\s*(\w+)\s*\)\s*\(", bare):  # a pointer to a function
             return Item("member", _join(prefix, match.group(1)), text, line)
         match = re.search(r"(operator\s*(?:\(\)|[^\s\w(]+|\w+)|~?\w+)\s*\(", bare)
+        if match and bare[: match.start()].endswith("::"):  # the definition of a member that its class declares
+            return None
         if match and not re.match(r".*\boperator\b", bare[: match.start()]):
             text = re.sub(r"\s+(final|override)\b", "", text)
             elsewhere = bool(re.search(r"\boverride\b|\bfinal\b", plain[plain.rfind(")") :]))

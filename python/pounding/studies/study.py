@@ -211,8 +211,8 @@ def study(
 
     `output` is the HDF5 file of the table, from which a killed study resumes; without it the table is in memory. By
     default, rows of the kernel run on threads and rows of the solver in one process per core. `workers` is the number
-    of processes for all rows; 0 runs them in this process. With processes, scripts need the guard `if __name__ ==
-    "__main__":`. `executor` is any concurrent.futures.Executor, such as MPIPoolExecutor or Dask's
+    of processes for all rows; 0 runs them in this process. Scripts that use processes need the guard
+    `if __name__ == "__main__":`. `executor` is any concurrent.futures.Executor, such as MPIPoolExecutor or Dask's
     Client.get_executor().
 
     Raises InputError for a wrong plan before any row runs, OSError if the table cannot be written, and SolverError if
