@@ -4,7 +4,12 @@
 
 #include <pybind11/pybind11.h>
 
+#include <pounding/laws/table.hpp>
+
 namespace pounding::python {
+
+/// Whether a parameter of a law is required, as text.
+const char* need_word(laws::Need need);
 
 void bind_hysteresis(pybind11::module_& module);
 void bind_laws(pybind11::module_& module);

@@ -64,16 +64,6 @@ py::tuple follow(const YieldingLaw& law, const Array& path) {
   return py::make_tuple(force, slope, work, stored);
 }
 
-const char* need_word(hysteresis::Need need) {
-  switch (need) {
-    case hysteresis::Need::required: return "required";
-    case hysteresis::Need::optional: return "optional";
-    case hysteresis::Need::instead: return "or others instead";
-    case hysteresis::Need::extra: return "may be left out";
-  }
-  return "";
-}
-
 py::list catalogue() {
   py::list entries;
   for (const hysteresis::Entry& entry : hysteresis::catalogue()) {

@@ -177,16 +177,6 @@ py::list described(const Law& law, double closing_speed) {
   return values;
 }
 
-const char* need_word(laws::Need need) {
-  switch (need) {
-    case laws::Need::required: return "required";
-    case laws::Need::optional: return "optional";
-    case laws::Need::damping: return "instead of restitution";
-    case laws::Need::together: return "together, instead of all others";
-  }
-  return "";
-}
-
 py::dict dict_of(const laws::Entry& entry) {
   py::list parameters, formulas;
   for (const laws::ParameterInfo& p : entry.parameters)
@@ -243,6 +233,18 @@ double quantity(const std::string& text, const std::string& unit, double exponen
 }
 
 }  // namespace
+
+const char* need_word(laws::Need need) {
+  switch (need) {
+    case laws::Need::required: return "required";
+    case laws::Need::optional: return "optional";
+    case laws::Need::damping: return "instead of restitution";
+    case laws::Need::together: return "together, instead of all others";
+    case laws::Need::instead: return "or others instead";
+    case laws::Need::extra: return "may be left out";
+  }
+  return "";
+}
 
 void bind_laws(py::module_& module) {
   module.def("catalogue", &catalogue);

@@ -15,7 +15,7 @@ pip=(venv/bin/python3 -m pip install --quiet --disable-pip-version-check)
 echo "Installing ${wheel##*/}[all] (packages from PyPI)"
 "${pip[@]}" "$wheel[all]"
 venv/bin/python3 "$tests/install/test_wheel.py"
-venv/bin/python3 "$tests/python/test_process.py" Importing Readme
+venv/bin/python3 "$tests/python/test_process.py" Importing
 # Together with another user of MPI, which is not an extra of ours.
 "${pip[@]}" mpi4py
 venv/bin/python3 "$tests/python/test_process.py" OneProcess
