@@ -24,7 +24,7 @@ inline testing::AssertionResult mentions(std::string_view text, const Facts& fac
     return in_word(a) && in_word(b);
   };
   for (const std::string_view fact : facts) {
-    bool found = false;
+    bool found = fact.empty();
     for (std::size_t i = text.find(fact); !found && i != text.npos; i = text.find(fact, i + 1)) {
       const std::size_t end = i + fact.size();
       found = (i == 0 || !joined(text[i - 1], fact.front())) && (end == text.size() || !joined(fact.back(), text[end]));
