@@ -1,5 +1,4 @@
-"""`.. headers:: PATH ...` shows what headers declare, with their comments; a folder stands for the installed headers in
-it."""
+"""`.. headers:: PATH ...` shows what headers declare, with their comments; a folder means its installed headers."""
 
 import re
 
