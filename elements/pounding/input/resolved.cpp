@@ -245,7 +245,7 @@ void emit_link(YAML::Emitter& out, const Model& model, const Link& link) {
   field(out, "law") << link.law;
   if (!link.formula.empty()) field(out, "formula") << link.formula;
   emit(out, "reduced_mass", link.reduced_mass);
-  field(out, "reduced_mass_from") << (link.reduced_mass_given ? "the input" : "the masses of the two floors");
+  field(out, "reduced_mass_from") << (link.reduced_mass_given ? "the input" : "the masses of the two ends");
   if (!link.stiffness_from.empty()) field(out, "stiffness_from") << link.stiffness_from;
   if (link.friction > 0) {
     emit(out, "friction", link.friction);

@@ -137,7 +137,7 @@ std::string describe(const Model& model) {
     if (link.preload) text += ", preloaded";
     if (link.reduced_mass > 0)
       text += fmt::format(", reduced mass {:.6g} t {}", link.reduced_mass / 1e3,
-                          link.reduced_mass_given ? "(as given)" : "(of the two floors)");
+                          link.reduced_mass_given ? "(as given)" : "(of the two ends)");
     text += '\n';
     if (!link.stiffness_from.empty())
       for (const laws::ResolvedValue& value : link.parameters)
