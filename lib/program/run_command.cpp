@@ -282,16 +282,24 @@ void add_run(CLI::App& app) {
   const auto check_arguments = std::make_shared<RunArguments>();
   CLI::App* check_command = app.add_subcommand("check", "Read and check a model without running it");
   check_command->add_option("MODEL", check_arguments->model, "Input file (YAML)")->required();
-  check_command->add_flag("--json", check_arguments->json, "Print one JSON object");
-  check_command->callback([check_arguments] {
+  CLI::Option* json = check_command->add_flag("--json", check_arguments->json, "Print one JSON object");
+  const auto resolved = std::make_shared<bool>(false);
+  check_command
+      ->add_flag("--resolved", *resolved,
+                 "Print the model as YAML with every default and calibrated parameter in SI units")
+      ->excludes(json);
+  check_command->callback([check_arguments, resolved] {
     const petsc::Environment environment;
     const Model model = read_model(Input::read_file(check_arguments->model), petsc::lowest_modes);
     const std::vector<std::string> warnings = implausible(model);
     print_warnings(warnings);
+    if (*resolved) {
+      std::fputs(resolved_yaml(model).c_str(), stdout);
+      return;
+    }
     if (!check_arguments->json) {
       const std::string yielding = yielding_table(model);
-      std::fputs((describe(model) + "\n" + yielding + (yielding.empty() ? "" : "\n") + resolved_yaml(model)).c_str(),
-                 stdout);
+      std::fputs((describe(model) + (yielding.empty() ? "" : "\n") + yielding).c_str(), stdout);
       return;
     }
     using Json = nlohmann::ordered_json;

@@ -129,8 +129,8 @@ class Checked:
     warnings: tuple[str, ...] = ()  #: about implausible values, except those that the model accepts
 
     def __str__(self) -> str:
-        """The output of `pounding check`."""
-        return f"{self.description}\n{self.resolved}"
+        """The output of `pounding check` for a model without yielding parts."""
+        return self.description
 
 
 def as_model(model: Model | str | PathLike[str]) -> Model:

@@ -226,11 +226,14 @@ class Warnings(ProgramTest):
 
 
 class Check(ProgramTest):
-    def test_shows_the_model_with_every_default(self):
-        done = self.pounding("check", self.write(OSCILLATORS))
+    def test_resolved_prints_yaml_with_every_default(self):
+        done = self.pounding("check", self.write(OSCILLATORS), "--resolved")
         self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertEqual(done.stdout.splitlines()[0].split(":")[0], "title")
         for line in ("formula: exact", "reduced_mass: 60000", "integrator: esdirk4", "between: [left.1, right.1]"):
             self.assertIn(line, done.stdout)
+        self.assertNotIn("integrator: esdirk4", self.pounding("check", "model.yaml").stdout)
+        self.refused(2, ["--json", "--resolved"], "check", "model.yaml", "--json", "--resolved")
 
     def test_says_ok_in_json(self):
         done = self.pounding("check", self.write(LONG), "--json")
