@@ -1,4 +1,4 @@
-/// `animate`, `export`, `study` and `separation`: done by Python.
+/// `animate`, `export`, `study`, `suite` and `separation`: done by Python.
 
 #include <memory>
 #include <string>
@@ -27,8 +27,10 @@ void add_python_command(CLI::App& app, const std::string& name, const std::strin
 
 void add_study(CLI::App& app) {
   add_python_command(app, "study", "Run a model many times: STUDY.yaml; check, show, merge, plot and export its table",
-                     "All options: pounding study run --help; those of the other verbs: pounding study check --help, "
-                     "show, merge, plot, export");
+                     "Options of each subcommand: pounding study run --help, and check, show, merge, plot or export "
+                     "instead of run");
+  add_python_command(app, "suite", "Run a model under each of its records: MODEL.yaml with records",
+                     "All options: pounding suite MODEL.yaml --help");
   add_python_command(app, "separation",
                      "The gap that a model needs, by its records and by the rules of codes: MODEL.yaml",
                      "All options: pounding separation MODEL.yaml --help");

@@ -118,6 +118,8 @@ void print_everything() {
     }
   fmt::print("\nA study:\n");
   print_tree(keys::study_file, 0, shown);
+  fmt::print("\nA suite of records:\n");
+  print_tree(keys::suite_file, 0, shown);
   fmt::print("\n* required, (*) one of several. pounding words NAME shows one key, a section or a law.\n");
 }
 

@@ -204,6 +204,8 @@ nlohmann::ordered_json input_schema() {
   // In a study file, the model is included or given by its file name.
   for (const keys::Key& spec : keys::study_file.keys)
     schema["properties"].emplace(std::string(spec.key), key_schema(spec, keys::study_file));
+  for (const keys::Key& spec : keys::suite_file.keys)
+    schema["properties"].emplace(std::string(spec.key), key_schema(spec, keys::suite_file));
   schema["anyOf"] = {{{"required", schema["required"]}}, {{"required", {"study", "model"}}}};
   schema.erase("required");
   schema["$defs"] = Json::object();

@@ -6,10 +6,17 @@
 
 #include <pounding/laws/table.hpp>
 
+namespace pounding {
+class Input;
+}
+
 namespace pounding::python {
 
 /// Whether a parameter of a law is required, as text.
 const char* need_word(laws::Need need);
+
+/// Nested dicts, lists and texts of an input.
+pybind11::object plain(const Input& input);
 
 void bind_hysteresis(pybind11::module_& module);
 void bind_laws(pybind11::module_& module);

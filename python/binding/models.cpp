@@ -23,6 +23,7 @@
 #include <pounding/reports/describe.hpp>
 #include <pounding/reports/plausible.hpp>
 #include <pounding/results/pushover_file.hpp>
+#include <pounding/structures/storey_heights.hpp>
 
 #include "bindings.hpp"
 #include "source.hpp"
@@ -31,7 +32,6 @@ namespace py = pybind11;
 using namespace py::literals;
 
 namespace pounding::python {
-namespace {
 
 py::object plain(const Input& input) {
   if (input.is_map()) {
@@ -48,6 +48,8 @@ py::object plain(const Input& input) {
   return py::str(input.as_text());
 }
 
+namespace {
+
 std::tuple<std::string, std::string, std::vector<std::string>> checked(const Source& source) {
   return with_petsc([&] {
     const Model model = read(source);
@@ -60,25 +62,47 @@ struct MovingStructure {
   std::string name;
   std::size_t floors = 0;
   bool has_storeys = false, has_plans = false;
+  std::vector<double> heights;                   ///< of storeys [m]; empty if unknown
+  std::vector<std::string> parts, hinges;        ///< names of all yielding parts, and of the hinges among them
+  std::vector<std::string> members, components;  ///< of a frame: members, and components of their end forces
 };
 
 /// Moving structures, links as (name, is rigid), and the latest arrival time of the ground motion [s].
 struct Layout {
   std::vector<MovingStructure> structures;
   std::vector<std::pair<std::string, bool>> links;
+  std::vector<std::tuple<std::string, std::string, double>> ends;  ///< [link] structures and gap [m]
   double last_arrival = 0;
 };
+
+MovingStructure layout_of(const Structure& s) {
+  MovingStructure found{s.name,
+                        s.floors.size(),
+                        s.has_storeys(),
+                        std::ranges::any_of(s.floors, [](const Floor& floor) { return floor.plan.has_value(); }),
+                        storey_heights(s),
+                        {},
+                        {},
+                        s.forces.members,
+                        s.forces.components};
+  for (const YieldingPart& part : s.yielding) {
+    found.parts.push_back(part.name);
+    if (part.kind == YieldingPart::Kind::hinge) found.hinges.push_back(part.name);
+  }
+  return found;
+}
 
 Layout layout(const Source& source) {
   return with_petsc([&] {
     const Model model = read(source);
     Layout found;
     for (const Structure& s : model.structures)
-      if (!s.is_rigid())
-        found.structures.push_back(
-            {s.name, s.floors.size(), s.has_storeys(),
-             std::ranges::any_of(s.floors, [](const Floor& floor) { return floor.plan.has_value(); })});
-    for (const Link& link : model.links) found.links.emplace_back(link.name, link.contact->is_rigid());
+      if (!s.is_rigid()) found.structures.push_back(layout_of(s));
+    for (const Link& link : model.links) {
+      found.links.emplace_back(link.name, link.contact->is_rigid());
+      found.ends.emplace_back(model.structures[static_cast<std::size_t>(link.left.structure)].name,
+                              model.structures[static_cast<std::size_t>(link.right.structure)].name, link.gap);
+    }
     found.last_arrival = ground_plan(model).last_arrival;
     return found;
   });
@@ -167,10 +191,16 @@ void bind_models(py::module_& module) {
       .def_readonly("name", &MovingStructure::name)
       .def_readonly("floors", &MovingStructure::floors)
       .def_readonly("has_storeys", &MovingStructure::has_storeys)
-      .def_readonly("has_plans", &MovingStructure::has_plans);
+      .def_readonly("has_plans", &MovingStructure::has_plans)
+      .def_readonly("heights", &MovingStructure::heights)
+      .def_readonly("parts", &MovingStructure::parts)
+      .def_readonly("hinges", &MovingStructure::hinges)
+      .def_readonly("members", &MovingStructure::members)
+      .def_readonly("components", &MovingStructure::components);
   py::class_<Layout>(module, "Layout")
       .def_readonly("structures", &Layout::structures)
       .def_readonly("links", &Layout::links)
+      .def_readonly("ends", &Layout::ends)
       .def_readonly("last_arrival", &Layout::last_arrival);
   module.def("layout", &layout, "source"_a);
   module.def("modes", &modes_of_all, "source"_a, "count"_a);

@@ -47,6 +47,7 @@ py::object read_single(const Input& node, const keys::Key& key) {
     case Takes::integer: return py::int_(node.as_integer());
     case Takes::boolean: return py::bool_(read_flag(node));
     case Takes::choice: return py::str(node.as_choice());
+    case Takes::value: return node.is_scalar() ? py::object(py::str(node.as_text())) : plain(node);
     default: return py::str(node.as_text());
   }
 }
@@ -111,6 +112,12 @@ py::object read_study(const std::string& text, const std::string& name) {
   return read_section(Input::read_text("study: {}", name).in(file).at("study"), inside);
 }
 
+/// The keys of `records:` of a suite; `text` has no other keys.
+py::object read_suite(const std::string& text, const std::string& name) {
+  const Input file = Input::read_text(text, name).in(keys::suite_file);
+  return read_section(file.at("records"), *keys::suite_file.find("records")->inside);
+}
+
 py::dict examples() {
   py::dict found;
   for (const keys::Section* section : keys::sections_of_studies()) {
@@ -125,6 +132,7 @@ py::dict examples() {
 
 void bind_study_keys(py::module_& module) {
   module.def("read_study", &read_study, py::arg("text"), py::arg("name"));
+  module.def("read_suite", &read_suite, py::arg("text"), py::arg("name"));
   module.def("study_examples", &examples);
 }
 

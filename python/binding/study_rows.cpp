@@ -24,6 +24,7 @@
 #include <pounding/model/modes.hpp>
 #include <pounding/run/run.hpp>
 #include <pounding/run/separation.hpp>
+#include <pounding/structures/storey_heights.hpp>
 #include <pounding/study/linear_model.hpp>
 #include <pounding/study/modal_form.hpp>
 #include "bindings.hpp"
@@ -212,10 +213,12 @@ class RowModel {
     return row;
   }
 
-  /// Results of the row from the solver. Throws InputError, SolverError, and exceptions of signal handlers.
-  py::dict run(const RowMotion* motion) {
+  /// Results of the row from the solver; `whole` returns the object of `pounding run --json`, with the heights of
+  /// storeys and the names of hinges. Throws InputError, SolverError, and exceptions of signal handlers.
+  py::dict run(const RowMotion* motion, bool whole) {
     std::optional<py::error_already_set> raised;
     Summary summary;
+    std::vector<std::vector<double>> heights;
     {
       const py::gil_scoped_release free;
       const PetscForThisThread mine;
@@ -230,15 +233,31 @@ class RowModel {
       };
       try {
         summary = pounding::run(model, options).summary;
+        for (const StructureSummary& s : summary.structures) heights.push_back(heights_of(model, s.name));
       } catch (const FailedRun&) {
         if (!raised) throw;
       }
     }
     if (raised) throw std::move(*raised);
-    return numbers_of(summary);
+    py::dict found =
+        whole ? py::dict(py::module_::import("json").attr("loads")(to_json(summary))) : numbers_of(summary);
+    for (std::size_t i = 0; i < heights.size(); ++i)
+      found["structures"][py::str(summary.structures[i].name)]["storey_heights"] = heights[i];
+    for (const StructureSummary& s : summary.structures) {
+      py::list hinges;
+      for (const SpringSummary& part : s.springs)
+        if (part.is_hinge) hinges.append(part.name);
+      if (whole && !hinges.empty()) found["structures"][py::str(s.name)]["hinges"] = hinges;
+    }
+    return found;
   }
 
  private:
+  static std::vector<double> heights_of(const Model& model, const std::string& name) {
+    for (const Structure& s : model.structures)
+      if (s.name == name) return storey_heights(s);
+    return {};
+  }
   Model read(const RowMotion* motion, const ModeSolver& modes) const {
     return read_model(root_, modes, 1, motion ? &motion->ground : nullptr);
   }
@@ -322,7 +341,7 @@ void bind_study_rows(py::module_& module) {
            "places"_a, "files"_a = py::dict())
       .def("put", &RowModel::put, "values"_a)
       .def("linear", &RowModel::linear, "motion"_a, "accelerations"_a, "alone"_a)
-      .def("run", &RowModel::run, "motion"_a);
+      .def("run", &RowModel::run, "motion"_a, "whole"_a = false);
   module.def("double_difference", py::vectorize(&double_difference), "period_a"_a, "damping_a"_a, "period_b"_a,
              "damping_b"_a);
   /// Version of the results of the kernel, incremented if they change bitwise.

@@ -90,9 +90,25 @@ Input location_of(const ModelError& error, const Input& input) {
   return input;
 }
 
+// A file of many runs is not a single model.
+void refuse_many_runs(const Input& input) {
+  if (!input.is_map()) return;
+  for (const auto& [name, value] : input.entries()) {
+    if (name == "records")
+      value.fail(
+          "these records are those of a suite, and this command reads a model with one ground motion; type pounding "
+          "suite FILE, or ground_motion: {record: FILE.AT2} instead of records");
+    if (name == "study")
+      value.fail(
+          "this is the file of a study, and this command reads a single model; type pounding study FILE, or name the "
+          "file of the model");
+  }
+}
+
 }  // namespace
 
 Model read_model(const Input& input, const ModeSolver& modes, double stiffness_factor, const GroundSection* ground) {
+  refuse_many_runs(input);
   const Input root = input.in(keys::model);
   root.only_keys();
   Model model;

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from dataclasses import replace
 from time import perf_counter
 from typing import Protocol
 
@@ -78,8 +80,32 @@ ENGINES: list[Engine] = [KernelEngine(), SolverEngine()]
 KERNEL = 0
 
 
+def _by_alternatives(batch: Batch, run: Callable[[Batch], Done]) -> Done:
+    """Runs rows in groups with the same alternatives, each with a template of its own."""
+    chosen = batch.template.alternatives
+    done = nothing_of(batch)
+    labels, which = np.unique(batch.values[:, chosen], axis=0, return_inverse=True)
+    others = [j for j in range(batch.values.shape[1]) if j not in chosen]
+    for i, one in enumerate(labels):
+        mine = np.flatnonzero(which.ravel() == i)
+        part = batch.part(mine)
+        try:
+            variant = batch.template.variant(one.tolist())
+        except InputError as error:
+            done.status[mine] = REFUSED
+            done.reasons.update(dict.fromkeys(part.rows.tolist(), str(error)))
+            continue
+        found = run(replace(part, template=variant, values=part.values[:, others]))
+        for name in ("values", "status", "engine", "seconds"):
+            getattr(done, name)[mine] = getattr(found, name)
+        done.reasons.update(found.reasons)
+    return done
+
+
 def run_kernel(batch: Batch) -> Done:
     """Runs the rows that the kernel can run; the others are left unchanged."""
+    if batch.template.alternatives:
+        return _by_alternatives(batch, run_kernel)
     done = nothing_of(batch)
     done.take(np.arange(len(batch.rows)), ENGINES[KERNEL].run(batch), KERNEL)
     return done
@@ -88,6 +114,8 @@ def run_kernel(batch: Batch) -> Done:
 def run_batch(batch: Batch) -> Done:
     """Runs rows in a worker, each with the first engine that can run it. A function of the module, as pickling
     requires."""
+    if batch.template.alternatives:
+        return _by_alternatives(batch, run_batch)
     done = nothing_of(batch)
     left = np.arange(len(batch.rows))
     for number, engine in enumerate(ENGINES):

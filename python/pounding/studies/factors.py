@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import asdict, dataclass, replace
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
+from pounding._native import core
 from pounding.errors import InputError
 from pounding.studies import reading
 from pounding.studies.distributions import KINDS, Distribution, read_distribution
@@ -34,6 +35,17 @@ class Factor:
     distribution: Distribution | None = None
     labels: tuple[str, ...] = ()  #: names, such as those of laws, instead of numbers
     column: str = ""  #: column of the table of samples
+    #: maps that replace the map at the path, one per label
+    alternatives: tuple[Any, ...] = ()
+    #: the model takes slope * value + shift: the coordinate that gives a gap
+    slope: float = 1.0
+    shift: float = 0.0
+
+    def description(self) -> dict[str, Any]:
+        """Everything that determines the rows; the last three members if they have an effect."""
+        found = asdict(self)
+        default = {"alternatives": (), "slope": 1.0, "shift": 0.0}
+        return {key: value for key, value in found.items() if key not in default or value != default[key]}
 
     @property
     def is_sampled(self) -> bool:
@@ -77,8 +89,20 @@ def read_factors(given: Mapping[str, Any], model: Mapping[str, Any]) -> list[Fac
                     f"study.factors.{factor.name}.of: {dotted(keys)} is set by {places[keys]} already; let one factor set each value"
                 )
             places[keys] = factor.name
+    _require_outside_alternatives(factors, places)
     in_order(model, factors)
     return factors
+
+
+def _require_outside_alternatives(factors: Sequence[Factor], places: Mapping[tuple[str | int, ...], str]) -> None:
+    """Raises InputError for a factor inside a map that another factor replaces."""
+    replaced = {name for factor in factors if factor.alternatives for name in (factor.name,)}
+    for outer, name in places.items():
+        for inner, other in places.items():
+            if name in replaced and len(inner) > len(outer) and inner[: len(outer)] == outer:
+                raise InputError(
+                    f"study.factors.{other}.of: {dotted(inner)} is inside {dotted(outer)}, which {name} replaces as a whole; write its values as more alternatives of {name}"
+                )
 
 
 def in_order(model: Mapping[str, Any], factors: Sequence[Factor]) -> list[int]:
@@ -124,6 +148,10 @@ def _read(name: str, one: Mapping[str, Any], model: Mapping[str, Any]) -> Factor
     kind = next((kind for kind in KINDS if kind in one), "")
     if kind:
         distribution, unit = read_distribution(kind, one[kind], one.get("truncate"), place)
+    elif "alternatives" in one:
+        _require_alternatives(one["alternatives"], model, places, place)
+        labels = tuple(one["alternatives"])
+        values = [float(i) for i in range(len(labels))]
     elif _are_labels(one.get("list")):
         labels = tuple(one["list"])
         values = [float(i) for i in range(len(labels))]
@@ -155,7 +183,29 @@ def _read(name: str, one: Mapping[str, Any], model: Mapping[str, Any]) -> Factor
         distribution,
         labels,
         one.get("column", ""),
+        tuple(one.get("alternatives", {}).values()),
     )
+
+
+def _require_alternatives(
+    given: Mapping[str, Any], model: Mapping[str, Any], places: Sequence[tuple[str | int, ...]], place: str
+) -> None:
+    """Raises InputError unless the alternatives are maps for maps of the model."""
+    example = "{LRB: {lead_rubber: {...}}, FPS: {friction_pendulum: {...}}}"
+    if not given:
+        raise InputError(f"{place}.alternatives: takes named maps, as in {example}; none was read")
+    for name, one in given.items():
+        if not isinstance(one, Mapping):
+            raise InputError(
+                f"{place}.alternatives.{name}: takes a map that replaces the one of the model, as in {example}; {one!r} was read. Single values are a list"
+            )
+        if not name[:1].isalpha():
+            raise InputError(f'{place}.alternatives: a name begins with a letter; "{name}" was read')
+    for keys in places:
+        if not isinstance(at(model, keys), Mapping):
+            raise InputError(
+                f"{place}.of: {dotted(keys)} is a single value, and alternatives replace a map; type list: instead, or the path of the map"
+            )
 
 
 def _are_labels(values: Any) -> bool:
@@ -259,6 +309,13 @@ def link_name(link: Any, i: int) -> str:
         ends = link.get("between")
         return str(link.get("name") or ("-".join(map(str, ends)) if isinstance(ends, list) else ends or i))
     return str(i)
+
+
+def kept_of_link(link: Mapping[str, Any]) -> dict[str, Any]:
+    """The keys of a link that do not belong to its law: those that an alternative keeps."""
+    of_laws = {"law", "formula", "restitution", "impact_velocity", "reduced_mass"}
+    of_laws |= {parameter[0] for law in core.catalogue() for parameter in law["parameters"]}
+    return {key: value for key, value in link.items() if key not in of_laws}
 
 
 def at(model: Any, keys: Sequence[str | int]) -> Any:

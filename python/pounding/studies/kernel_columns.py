@@ -9,6 +9,7 @@ import numpy as np
 
 from pounding.errors import InputError
 from pounding.studies.quantities import OF_GAPS, OF_LINKS, OF_STRUCTURES, SUMS
+from pounding.studies.structure_values import split, without_suffix
 
 #: Error of a step of the kernel as a fraction of the tolerance of the model, since errors of impacts accumulate.
 PART_OF_TOLERANCE, LARGEST, SMALLEST = 0.2, 2e-5, 1e-12
@@ -36,14 +37,14 @@ def column_of(column: str, found: Found) -> np.ndarray:
     """[row] a column of the table, equal to that of Kept.of from a summary. Raises InputError for an unknown link."""
     quantity, _, rest = column.partition(".")
     if quantity in OF_STRUCTURES:
-        if rest.endswith(".ratio"):
-            name = rest.removesuffix(".ratio")
-            alone = _most(found.alone[name][quantity])
+        if column.endswith(".ratio"):
+            alone = _of_structure(found.alone, quantity, without_suffix(rest))
             with np.errstate(invalid="ignore", divide="ignore"):
-                return np.where(alone != 0, _most(found.structures[name][quantity]) / alone, np.nan)
-        return _most(
-            (found.alone if rest.endswith(".alone") else found.structures)[rest.removesuffix(".alone")][quantity]
-        )
+                return np.where(
+                    alone != 0, _of_structure(found.structures, quantity, without_suffix(rest)) / alone, np.nan
+                )
+        structures = found.alone if rest.endswith(".alone") else found.structures
+        return _of_structure(structures, quantity, without_suffix(rest))
     if quantity in OF_GAPS:
         return np.maximum(0, found.gaps[quantity].max(axis=1, initial=0)) if found.links else np.zeros(_rows(found))
     if rest and rest not in found.links:
@@ -56,6 +57,12 @@ def column_of(column: str, found: Found) -> np.ndarray:
     if quantity in SUMS:
         return np.array([math.fsum(row) for row in values])
     return values.max(axis=1, initial=0)
+
+
+def _of_structure(structures: dict[str, dict[str, np.ndarray]], quantity: str, rest: str) -> np.ndarray:
+    name, floor = split(rest, structures)
+    values = structures[name][quantity]
+    return values[:, int(floor) - 1] if floor else _most(values)
 
 
 def _most(values: np.ndarray) -> np.ndarray:

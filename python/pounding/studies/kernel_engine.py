@@ -19,7 +19,7 @@ from pounding.studies.factors import at
 from pounding.studies.kernel_columns import OF_KERNEL, Found, column_of, separations, step_error
 from pounding.studies.pairs import Pairs
 from pounding.studies.prepared import Last, prepared
-from pounding.studies.quantities import OF_TORSION, Kept
+from pounding.studies.quantities import Kept
 from pounding.studies.template import Template
 
 #: Keys of `analysis:` that the kernel supports; the others control the solver.
@@ -85,8 +85,8 @@ class KernelEngine:
 
 
 def _solver_words(template: Template) -> str:
-    if torsion := [column for column in template.kept.columns if column.split(".")[0] in OF_TORSION]:
-        return f"{torsion[0]} is for the solver"
+    if column := template.kept.for_solver():
+        return f"{column} is for the solver"
     analysis = template.model.get("analysis") or {}
     return next((f"analysis.{word} is for the solver" for word in analysis if word not in ANALYSIS), "")
 

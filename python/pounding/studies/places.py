@@ -45,6 +45,9 @@ class Places:
             found[:, i] = (
                 values[:, j] if base is None else values[:, j] * (found[:, base] if isinstance(base, int) else base)
             )
+            slope, shift = self._factors[j].slope, self._factors[j].shift
+            if (slope, shift) != (1.0, 0.0):
+                found[:, i] = slope * found[:, i] + shift
         return found
 
     def texts(self, numbers: np.ndarray) -> list[str]:

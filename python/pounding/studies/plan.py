@@ -17,13 +17,15 @@ import numpy as np
 
 from pounding import yaml_text
 from pounding._native import core
-from pounding.errors import InputError
+from pounding.errors import InputError, SolverError
 from pounding.models import PARTS, Model, as_model
 from pounding.studies import reading
 from pounding.studies.bare_numbers import bare_number_warnings
 from pounding.studies.cut_records import cut_records, with_cuts
 from pounding.studies.factors import Factor, find, read_factors, with_files
 from pounding.studies.files import Files, absolute, by_content
+from pounding.studies.functions import Function, functions_of
+from pounding.studies.gap_factors import GapFactors
 from pounding.studies.motions import (
     Intensity,
     Motion,
@@ -33,6 +35,7 @@ from pounding.studies.motions import (
     repeated,
     scaling_warnings,
 )
+from pounding.studies.prepared import prepared
 from pounding.studies.quantities import COLLAPSED_COLUMN, UNITS, read_keep, read_limits
 from pounding.studies.sampling import Points, read_points
 from pounding.studies.sources import kept_beside, read_motions
@@ -109,7 +112,7 @@ class Plan:
         sample = np.ascontiguousarray(self.points.sample)
         found = {
             "model": self.template.model,
-            "factors": [asdict(factor) for factor in self.points.factors],
+            "factors": [factor.description() for factor in self.points.factors],
             "sampling": {
                 "way": self.points.way,
                 "count": len(sample),
@@ -120,7 +123,7 @@ class Plan:
                 for motion in self.template.motions
             ],
             "intensity": asdict(self.intensity) if self.intensity else None,
-            "kept": asdict(self.template.kept),
+            "kept": self.template.kept.description(),
             "seed": self.seed,
             "engine": self.template.engine,
             "version": core.version,
@@ -195,6 +198,9 @@ def make_plan(
     model: Model | str | PathLike[str], given: Any, folder: Path, text: str = "", store: Path | None = None
 ) -> Plan:
     """The plan of a model and of the keys of `study:`. Raises InputError."""
+    functions, typed = functions_of(given.get("keep") if isinstance(given, Mapping) else None)
+    if functions:
+        given = {**given, "keep": typed}
     given = yaml_text.plain(given)
     one = reading.read_study(given)
     files = Files()
@@ -224,10 +230,17 @@ def make_plan(
         _require_kept(one.get("factors", {}))
         parts.pop("ground_motion", None)
         parts |= {"ground_motion": beside} if beside else {}
-    factors = read_factors(one.get("factors", {}), parts)
+
+    def layout_of(drawn: Mapping[str, Any]) -> core.Layout:
+        moved = {**drawn, **({"ground_motion": {**motions[0].scaled(1.0), **beside}} if motions[0].words else {})}
+        return core.layout(core.Source(yaml_text.emit(moved), model._file or "model", files.named_by(moved)))
+
+    drawn = GapFactors(one.get("factors", {}), parts, layout_of)
+    parts = drawn.parts
+    factors = [drawn.applied(factor) for factor in read_factors(drawn.factors, parts)]
     _require_free_names(factors)
     points = read_points(factors, one["sampling"], seed, parts, folder)
-    factors = [with_files(factor, parts, Path(model._file).parent, files) for factor in points.factors]
+    factors = [_with_files(factor, parts, Path(model._file).parent, files) for factor in points.factors]
     points = replace(points, factors=tuple(factors))
     intensity = read_intensity(one.get("intensity"), _first_periods(model) if "intensity" in one else ())
     _require_own_strength(factors, parts, intensity)
@@ -235,9 +248,9 @@ def make_plan(
     _require_scales(motions, intensity)
     if intensity and intensity.levels:
         _require_one_ground(parts)
-    moved = {**parts, **({"ground_motion": {**motions[0].scaled(1.0), **beside}} if motions[0].words else {})}
-    layout = core.layout(core.Source(yaml_text.emit(moved), model._file or "model", files.named_by(moved)))
-    kept = read_keep(one.get("keep"), one["without_links"], layout, read_limits(one.get("limits", {})))
+    layout = layout_of(parts)
+    keep = [*typed, *(function.call for function in functions)] if functions else one.get("keep")
+    kept = read_keep(keep, one["without_links"], layout, read_limits(one.get("limits", {})))
     parts.pop("compare", None)
     if kept.needs_comparison:
         parts["compare"] = "no_pounding"
@@ -248,7 +261,7 @@ def make_plan(
         tuple(motions),
         kept,
         one["engine"],
-        files.named_by([parts, *(factor.labels for factor in factors)]),
+        files.named_by([parts, *((factor.labels, factor.alternatives) for factor in factors)]),
     )
     plan = Plan(
         template,
@@ -269,6 +282,11 @@ def make_plan(
     of_first = core.check(
         core.Source(plan.yaml(0), _place(template), {**template.files, **plan.files_of(np.array([0]))})
     )[2]
+    if kept.functions:
+        template = _with_functions(plan)
+        plan = replace(plan, template=template)
+    if one["engine"] == "kernel" and (column := kept.for_solver()):
+        raise InputError(f"study.engine: {column} is computed by the solver only; remove engine: kernel")
     warnings = (
         *with_cuts(of_model, of_first, cut_records(template, points, layout.last_arrival, files)),
         *implausible(motions, parts.get("accept") or ()),
@@ -278,6 +296,34 @@ def make_plan(
         *_refused_labels(plan),
     )
     return replace(plan, warnings=warnings)
+
+
+def _with_files(factor: Factor, parts: Mapping[str, Any], folder: Path, files: Files) -> Factor:
+    """The factor with absolute names of files among its labels and in its alternatives."""
+    named, _ = absolute({str(i): one for i, one in enumerate(factor.alternatives)}, folder, files)
+    return replace(with_files(factor, parts, folder, files), alternatives=tuple(named.values()))
+
+
+def _with_functions(plan: Plan) -> Template:
+    """The template with the columns of the functions in `keep:`, from a run of the first row. Raises InputError."""
+    template, first = plan.template, plan.columns(np.array([0]))
+    values = np.array([float(first[factor.name][0]) for factor in template.factors])
+    chosen = template.alternatives
+    variant = template.variant(values[chosen].tolist()) if chosen else template
+    others = [j for j in range(len(values)) if j not in chosen]
+    try:
+        summary = prepared(variant).run(values[others], 0, float(first["scale"][0]), plan.files_of(np.array([0])))
+    except SolverError as error:
+        raise InputError(
+            f"study.keep: the first row, whose results say which numbers functions return, fails: {error}"
+        ) from None
+    taken = {**UNITS, **plan.units(), "status": "", "engine": ""}
+    functions: list[Function] = []
+    for function in template.kept.functions:
+        functions.append(function.begun(summary, taken))
+        taken.update(dict.fromkeys(functions[-1].columns, ""))
+    columns = (*template.kept.columns, *(column for function in functions for column in function.columns))
+    return replace(template, kept=replace(template.kept, columns=columns, functions=tuple(functions)))
 
 
 def _refused_labels(plan: Plan) -> Iterator[str]:

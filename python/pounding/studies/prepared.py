@@ -97,7 +97,8 @@ class Prepared:
         """Summary of the run of one row; `files` are those of its motion. Raises InputError, SolverError."""
         self.template.begin(values)
         self.put(self.places.numbers(values[None, :])[0])
-        return self._rows.run(self._motion_of_row(values, record, scale, files))
+        motion = self._motion_of_row(values, record, scale, files)
+        return self._rows.run(motion, self.template.kept.needs_whole)
 
 
 class _OfThread(threading.local):
@@ -120,5 +121,9 @@ def key_of(template: Template) -> bytes:
     """A key shared by copies of a template."""
     # All rows of a batch share one object.
     if _mine.key is None or _mine.key[0] is not template:
-        _mine.key = template, pickle.dumps(template)
+        try:
+            _mine.key = template, pickle.dumps(template)
+        except (pickle.PicklingError, AttributeError, TypeError):
+            # A function that cannot be pickled runs in this process only, where the prepared template keeps its address.
+            _mine.key = template, str(id(template)).encode()
     return _mine.key[1]

@@ -11,19 +11,27 @@ import numpy as np
 
 from pounding._native import core
 from pounding.errors import InputError
-from pounding.studies import reading
+from pounding.studies import reading, structure_values
+from pounding.studies.functions import Function, functions_of
+from pounding.studies.structure_values import number as _number
 
-#: Quantities of every structure: the largest absolute value over its floors.
-OF_STRUCTURES = {"displacement": "m", "drift": "m", "acceleration": "m/s^2"}
-#: Quantities of structures with rigid floors in space: their rotation about z, and the displacement of the corners of
-#: their plan.
-OF_TORSION = {"rotation": "rad", "edge_displacement": "m"}
+#: Quantities of structures, also of one floor, part or member.
+OF_STRUCTURES = structure_values.UNITS
 #: Quantities of all links, or of one as in force.left-right.
 OF_LINKS = {"force": "N", "penetration": "m", "impacts": "", "impulse": "N s", "energy_lost": "J"}
 #: Gaps from the run without links, required and by rules; the largest of all links.
 OF_GAPS = {"required_gap": "m", "gap_abs": "m", "gap_srss": "m", "gap_ddc": "m"}
-UNITS = {**OF_STRUCTURES, **OF_TORSION, **OF_LINKS, **OF_GAPS}
-_EXAMPLES = {"rad": "0.005", "m": "30 mm", "m/s^2": "0.5 g", "N": "5 MN", "N s": "200 kN s", "J": "50 kJ", "": "3"}
+UNITS = {**OF_STRUCTURES, **OF_LINKS, **OF_GAPS}
+_EXAMPLES = {
+    "rad": "0.005",
+    "m": "30 mm",
+    "m/s^2": "0.5 g",
+    "N": "5 MN",
+    "N m": "500 kN m",
+    "N s": "200 kN s",
+    "J": "50 kJ",
+    "": "3",
+}
 _KEYS = {
     "force": "peak_force",
     "penetration": "peak_penetration",
@@ -54,6 +62,7 @@ class Kept:
 
     columns: tuple[str, ...]  #: "displacement.left", "displacement.left.alone", "force", "required_gap"
     limits: tuple[tuple[str, float], ...] = ()
+    functions: tuple[Function, ...] = ()  #: of Python, with their columns
 
     @property
     def needs_comparison(self) -> bool:
@@ -62,12 +71,35 @@ class Kept:
 
     def units(self) -> dict[str, str]:
         """SI units of the columns."""
-        return {column: "" if column.endswith(".ratio") else UNITS[column.split(".")[0]] for column in self.columns}
+        units = {column: unit for function in self.functions for column, unit in function.units.items()}
+        return {column: units.get(column, "") if column in units else _unit(column) for column in self.columns}
 
     def of(self, summary: Mapping[str, Any]) -> list[float]:
         """The columns from the summary of a run. After a collapse they are infinite; a ratio is NaN unless both runs
         are complete, and the force of rigid impacts is NaN."""
-        return [_after_collapse(column, _value(column, summary), summary) for column in self.columns]
+        own = {name: value for function in self.functions for name, value in function.of(summary).items()}
+        return [
+            own[column] if column in own else _after_collapse(column, _value(column, summary), summary)
+            for column in self.columns
+        ]
+
+    @property
+    def needs_whole(self) -> bool:
+        """True if a column needs the complete summary of a run."""
+        whole = structure_values.OF_WHOLE
+        return bool(self.functions) or any(column.split(".")[0] in whole for column in self.columns)
+
+    def for_solver(self) -> str:
+        """The first column that the kernel does not compute; empty if there is none."""
+        if self.functions:
+            return f"the function {self.functions[0].name}"
+        kernel = (*structure_values.OF_KERNEL, *OF_LINKS, *OF_GAPS)
+        return next((column for column in self.columns if column.split(".")[0] not in kernel), "")
+
+    def description(self) -> dict[str, Any]:
+        """The columns and limits, for comparisons of plans."""
+        functions = {"functions": [function.description() for function in self.functions]} if self.functions else {}
+        return {"columns": self.columns, "limits": self.limits, **functions}
 
     def exceeded(self, values: np.ndarray) -> np.ndarray:
         """[row] True if [row, column] exceeds a limit; a limit of drift applies to every structure."""
@@ -97,7 +129,8 @@ def read_keep(given: Any, without_links: bool, layout: core.Layout, limits: tupl
     rigid = {name for name, is_rigid in layout.links if is_rigid}
     links = [name for name, _ in layout.links]
     default = [{"force": "impulse"}.get(quantity, quantity) if rigid else quantity for quantity in DEFAULT]
-    asked = default if given is None else [given] if isinstance(given, str) else [str(one) for one in given]
+    functions, typed = functions_of(given)
+    asked = default if given is None else [given] if isinstance(given, str) else [str(one) for one in typed]
     columns: list[str] = []
     for place, word in [("keep", word) for word in asked] + [
         ("limits", word) for word, _ in limits if word not in asked
@@ -109,44 +142,24 @@ def read_keep(given: Any, without_links: bool, layout: core.Layout, limits: tupl
             raise InputError(
                 f'study.{place}: unknown quantity "{word}".{reading.did_you_mean(quantity, UNITS)} Allowed: {", ".join(UNITS)}'
             )
-        if quantity in OF_STRUCTURES or quantity in OF_TORSION:
-            for each in _structures_with(quantity, name, structures, f"study.{place}"):
-                columns += [f"{quantity}.{each}"]
-                columns += [f"{quantity}.{each}.alone", f"{quantity}.{each}.ratio"] if without_links else []
+        if quantity in OF_STRUCTURES:
+            for column in structure_values.columns_of(word, structures, f"study.{place}"):
+                columns += [column]
+                columns += [f"{column}.alone", f"{column}.ratio"] if without_links else []
         elif name and quantity in OF_GAPS:
             raise InputError(f"study.{place}: {word}: {quantity} is the largest of all links; leave {name} out")
         else:
             _require_links(quantity, name, links, rigid, f"study.{place}")
             columns.append(word)
-    return Kept(tuple(dict.fromkeys(columns)), limits)
+    return Kept(tuple(dict.fromkeys(columns)), limits, functions)
 
 
-def _structures_with(quantity: str, name: str, structures: Mapping[str, core.MovingStructure], place: str) -> list[str]:
-    """The structures with a quantity, or the one named."""
-    if name and name not in structures:
-        raise InputError(
-            f'{place}: {quantity}.{name}: unknown structure "{name}", or a wall; known: {", ".join(structures)}'
-        )
-    among = [one for one in structures.values() if name in ("", one.name)]
-    having = [
-        one.name
-        for one in among
-        if (one.has_plans if quantity in OF_TORSION else one.floors and (one.has_storeys or quantity != "drift"))
-    ]
-    if having:
-        return having
-    lacking = name or ", ".join(structures)
-    if quantity in OF_TORSION:
-        raise InputError(
-            f"{place}: {quantity} is that of rigid floors in space, and {lacking} has none; keep displacement instead"
-        )
-    if quantity == "drift" and all(one.floors for one in among):
-        raise InputError(
-            f"{place}: {quantity} is the motion of a floor relative to the one below, and {lacking} has no storeys; keep displacement instead"
-        )
-    raise InputError(
-        f"{place}: {quantity} is that of floors, and {lacking} has none; name them, as in floors: [{{nodes: [a, b], elevation: 3 m}}]"
-    )
+def _unit(column: str) -> str:
+    """SI unit of a column."""
+    quantity = column.partition(".")[0]
+    if column.endswith(".ratio"):
+        return ""
+    return structure_values.unit_of(column) if quantity in OF_STRUCTURES else UNITS[quantity]
 
 
 def _require_links(quantity: str, name: str, links: Sequence[str], rigid: set[str], place: str) -> None:
@@ -201,11 +214,15 @@ def read_limits(given: Mapping[str, str]) -> tuple[tuple[str, float], ...]:
         number, unit = reading.quantity(value, f"study.limits.{word}")
         if not math.isfinite(number):
             raise InputError(f"study.limits.{word}: takes a finite number; {value} was read")
-        if isinstance(value, str) and not unit and "%" in value:
+        if quantity in structure_values.OF_MEMBERS and len(word.split(".")) < 3:
             raise InputError(
-                f"study.limits.{word}: the {quantity} of a summary is in {UNITS[quantity] or 'numbers'}; type a value such as {_EXAMPLES[UNITS[quantity]]} instead of {value}"
+                f"study.limits.{word}: forces and moments have different limits; name the component, as in {word if '.' in word else f'{word}.NAME'}.My: 500 kN m"
             )
-        reading.require_unit(unit, UNITS[quantity], f"study.limits.{word}", _EXAMPLES[UNITS[quantity]])
+        if isinstance(value, str) and not unit and "%" in value and quantity not in ("drift_ratio", "ductility"):
+            raise InputError(
+                f"study.limits.{word}: the {quantity} of a summary is in {_unit(word) or 'numbers'}; type a value such as {_EXAMPLES[_unit(word)]} instead of {value}"
+            )
+        reading.require_unit(unit, _unit(word), f"study.limits.{word}", _EXAMPLES[_unit(word)])
         found.append((word, number))
     return tuple(found)
 
@@ -226,8 +243,8 @@ def _after_collapse(column: str, value: float, summary: Mapping[str, Any]) -> fl
 
 def _value(column: str, summary: Mapping[str, Any]) -> float:
     quantity, _, rest = column.partition(".")
-    if quantity in OF_STRUCTURES or quantity in OF_TORSION:
-        return _of_structure(quantity, rest, summary)
+    if quantity in OF_STRUCTURES:
+        return structure_values.value(column, summary)
     if quantity in OF_GAPS:
         found = [_number(one[_KEYS[quantity]]) for one in summary["no_pounding"]["separations"]]
         return math.nan if any(map(math.isnan, found)) else max(found, default=0.0)
@@ -241,20 +258,3 @@ def _value(column: str, summary: Mapping[str, Any]) -> float:
     if quantity in SUMS:
         return math.fsum(values)
     return math.nan if any(map(math.isnan, values)) else max(values, default=0.0)
-
-
-def _of_structure(quantity: str, rest: str, summary: Mapping[str, Any]) -> float:
-    if rest.endswith(".ratio"):
-        alone = _of_structure(quantity, rest.removesuffix(".ratio") + ".alone", summary)
-        return _of_structure(quantity, rest.removesuffix(".ratio"), summary) / alone if alone else math.nan
-    is_alone = rest.endswith(".alone")
-    structures = summary["no_pounding"]["structures"] if is_alone else summary["structures"]
-    name = rest.removesuffix(".alone")
-    values = structures[name].get("peak_" + quantity, ())
-    if quantity in OF_TORSION:  # None for floors that are not rigid
-        values = [value for value in values if value is not None]
-    return max(map(_number, values), default=math.nan)
-
-
-def _number(value: float | None) -> float:
-    return math.nan if value is None else float(value)

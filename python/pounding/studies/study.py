@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import warnings
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from concurrent.futures import Executor
 from os import PathLike, fspath
 from pathlib import Path
@@ -128,7 +128,17 @@ class Study(Rows):
         row = arguments.whole(0, len(self) - 1)("row", row)
         given = located(self.description, Path() if self.path is None else self.path.parent)
         factors = tuple(
-            Factor(one["name"], tuple(one["of"]), one["times"], one["unit"], None, labels=tuple(one["labels"]))
+            Factor(
+                one["name"],
+                tuple(one["of"]),
+                one["times"],
+                one["unit"],
+                None,
+                labels=tuple(one["labels"]),
+                alternatives=tuple(one.get("alternatives", ())),
+                slope=one.get("slope", 1.0),
+                shift=one.get("shift", 0.0),
+            )
             for one in given["factors"]
         )
         motions = tuple(Motion(one["name"], one["words"], one["event"], pga=one["pga"]) for one in given["records"])
@@ -195,7 +205,7 @@ def study(
     *,
     records: Any = None,
     intensity: Mapping[str, Any] | None = None,
-    keep: Sequence[str] | None = None,
+    keep: Sequence[str | Callable[[Mapping[str, Any]], Any]] | None = None,
     sampling: Any = None,
     without_links: bool = False,
     limits: Mapping[str, Any] | None = None,
@@ -256,7 +266,7 @@ def sweep(
     factors: Mapping[str, Sequence[Any]],
     *,
     records: Sequence[File] | None = None,
-    keep: Sequence[str] | None = None,
+    keep: Sequence[str | Callable[[Mapping[str, Any]], Any]] | None = None,
     workers: int = 0,
 ) -> Study:
     """Runs all combinations of values, for every record: `sweep(model, {"links.*.gap": ["10 mm", "20 mm"]})`.
@@ -278,7 +288,9 @@ def sweep(
             raise InputError(
                 f'sweep: takes a list of values for each path, such as {{"links.*.gap": ["10 mm", "20 mm"]}}; {excerpt(path)}: {excerpt(values)} was read'
             )
-        last = path.rpartition(".")[2]
+        keys = ["gap"] if path.startswith("gaps.") else path.split(".")
+        # Indices and names such as left-right are no names of columns.
+        last = next((key for key in reversed(keys) if key.isidentifier()), "factor")
         name = next(each for each in (last, *(f"{last}_{i}" for i in range(2, len(named) + 3))) if each not in named)
         named[name] = {"of": path, "list": list(values)}
     return study(
@@ -304,6 +316,7 @@ def run_plan(
     """Runs the rows of a plan that are missing in `path`; for shard (k, n) only the k-th of n equal shares."""
     require_count("workers", workers, 0)
     require_count("chunk", chunk, 1)
+    _require_picklable(plan, workers, executor)
     table = Table(plan, path)
     rows = table.missing()
     number, count = shard
@@ -314,6 +327,15 @@ def run_plan(
     finally:
         table.write()
     return Study.of(table)
+
+
+def _require_picklable(plan: Plan, workers: int | None, executor: Executor | None) -> None:
+    """Raises InputError if processes would receive a function that cannot be pickled."""
+    for function in plan.template.kept.functions if workers != 0 or executor is not None else ():
+        if not function.is_picklable():
+            raise InputError(
+                f"keep: processes cannot receive the function {function.name}; define it at the top of a module, or pass workers=0"
+            )
 
 
 def records_folder(path: Path) -> Path:

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import copy
-from collections.abc import Mapping
-from dataclasses import dataclass, field
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
 
-from pounding.studies.factors import Factor, put
+from pounding.studies.factors import Factor, at, find, kept_of_link, put
 from pounding.studies.motions import Motion, scaled
 from pounding.studies.places import Places
 from pounding.studies.quantities import Kept
@@ -31,8 +31,33 @@ class Template:
     def begin(self, values: np.ndarray) -> None:
         """Called with the values of the factors before each run of the solver."""
 
+    @property
+    def alternatives(self) -> list[int]:
+        """Indices of the factors that replace maps of the model."""
+        return [j for j, factor in enumerate(self.factors) if factor.alternatives]
+
+    def variant(self, labels: Sequence[float]) -> Template:
+        """The template with one label of each factor with alternatives, without these factors."""
+        made = copy.deepcopy(self.model)
+        for j, label in zip(self.alternatives, labels):
+            factor = self.factors[j]
+            given = factor.alternatives[int(label)]
+            for keys in (keys for path in factor.of for keys in find(self.model, path, factor.name)):
+                put(
+                    made,
+                    keys,
+                    {**kept_of_link(at(self.model, keys)), **copy.deepcopy(given)}
+                    if keys[0] == "links"
+                    else copy.deepcopy(given),
+                )
+        others = tuple(factor for factor in self.factors if not factor.alternatives)
+        return replace(self, model=made, factors=others)
+
     def case(self, values: list[float], record: int, scale: float) -> dict[str, Any]:
         """The model of one row."""
+        if chosen := self.alternatives:
+            others = [value for j, value in enumerate(values) if j not in chosen]
+            return self.variant([values[j] for j in chosen]).case(others, record, scale)
         made = copy.deepcopy(self.model)
         places = Places(self.model, self.factors)
         for keys, text in zip(places.keys, places.texts(places.numbers(np.array([values]))[0])):

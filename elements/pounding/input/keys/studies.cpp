@@ -31,7 +31,8 @@ constexpr Key study_keys[] = {
      "Intensity measure of the motions, and the levels to which they are scaled.",
      "{measure: pga, levels: [0.1 g, 0.2 g]}", since},
     {"keep", text().or_list(), otherwise("displacement, force and impacts; impulse instead of force with rigid links"),
-     "Response quantities stored for each row. A suffix selects one structure or link: force.left-right.",
+     "Response quantities stored for each row. A suffix selects one structure, floor, member or link: "
+     "force.left-right, drift.left.3.",
      "[displacement, force]", since},
     {"without_links", boolean(), otherwise("false"),
      "Also store the response of the structures without links (.alone) and the ratio of both (.ratio).", "true", since},
@@ -47,13 +48,17 @@ constexpr std::string_view spacings[] = {"even", "log"};
 constexpr Key factor_keys[] = {
     {"of", text().or_list(), otherwise("none, of a factor with a column: the results contain it"),
      "Path or paths in the model that take the value. * is every link or structure; links are selected by name, or by "
-     "index from 0.",
+     "index from 0. gaps.left-right is the gap between two drawn frames, which moves one of them.",
      "links.*.gap", since},
     {"times", text(), otherwise("none"),
      "Path of a number in the model. The value of the factor is then a ratio to that number.",
      "structures.left.oscillator.period", since},
     {"list", any_value().nonempty_list(), exactly_one,
      "Values: quantities of one unit, or names, such as names of laws.", "[10 mm, 20 mm]", since},
+    {"alternatives", any_value().named(), exactly_one,
+     "Named maps, each of which replaces the whole map at the path, such as types of isolators or contact laws with "
+     "their parameters.",
+     "{stiff: {law: linear_spring, stiffness: 2e9}, soft: {law: linear_spring, stiffness: 2e8}}", "0.3.0"},
     {"from", any_value(), exactly_one, "First value of a range; needs to and count.", "0.3", since},
     {"to", any_value(), optional, "Last value of a range.", "1.5", since},
     {"count", integer(2, 1e6), optional, "Number of values in a range, including both ends.", "25", since},
@@ -138,9 +143,10 @@ constinit const Section study_file{"study_file", "",
 
 std::span<const Section* const> sections_of_studies() noexcept {
   using namespace study_tables;
-  static constexpr const Section* all[] = {&study_file,    &study,         &factor,     &uniform,  &normal,
-                                           &lognormal,     &triangular,    &discrete,   &sampling, &records,
-                                           &files_by_axis, &files_of_axis, &artificial, &intensity};
+  static constexpr const Section* all[] = {
+      &study_file, &study,         &factor,   &uniform,         &normal,          &lognormal,    &triangular,
+      &discrete,   &sampling,      &records,  &files_by_axis,   &files_of_axis,   &artificial,   &intensity,
+      &suite_file, &suite_records, &scale_to, &target_spectrum, &en1998_spectrum, &asce_spectrum};
   return all;
 }
 

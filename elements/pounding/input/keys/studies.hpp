@@ -1,5 +1,6 @@
 #pragma once
-/// Keys of `study:`. The Python package reads studies through these tables; the reader of models does not see them.
+/// Keys of `study:` and of suites of records. The Python package reads studies through these tables; the reader of
+/// models does not see them.
 
 #include <span>
 #include <string_view>
@@ -14,13 +15,17 @@ inline constexpr std::string_view since = "0.2.0";
 /// Records and intensity: study_records.cpp; the others: studies.cpp.
 extern const Section study, factor, uniform, normal, lognormal, triangular, discrete, sampling, records, files_by_axis,
     files_of_axis, artificial, intensity;
+/// Records of a suite and their scaling: suite_records.cpp.
+extern const Section suite_records, scale_to, target_spectrum, en1998_spectrum, asce_spectrum;
 
 }  // namespace study_tables
 
 /// File of a study: studies.cpp.
 extern const Section study_file;
+/// File of a suite: suite_records.cpp.
+extern const Section suite_file;
 
-/// All sections of a study, outer ones first; the first is the file.
+/// All sections of a study, then of a suite, outer ones first; the first is the file of a study.
 std::span<const Section* const> sections_of_studies() noexcept;
 
 }  // namespace pounding::keys
