@@ -69,6 +69,7 @@ __all__ = [
     "SolverError",
     "Spectrum",
     "Study",
+    "Suite",
     "YieldingLaw",
     "calibrate",
     "check",
@@ -84,6 +85,7 @@ __all__ = [
     "resume",
     "run",
     "study",
+    "suite",
     "sweep",
 ]
 
@@ -103,6 +105,7 @@ _MODULES = {
     "runs": ("Run", "read"),
     "spectra": ("Spectrum", "record_spectrum"),
     "studies.study": ("Study", "study", "sweep"),
+    "studies.suite": ("Suite", "suite"),
     "yielding": ("Loop", "YieldingLaw", "hysteresis"),
 }
 _HOMES = {name: module for module, names in _MODULES.items() for name in names}

@@ -16,7 +16,7 @@ from pounding.working_folder import leave_working_folder_out
 PROGRAM = Path(__file__).parent / "bin/pounding"
 MODULES = {"plot": "plots", "animate": "animation", "export": "export"}
 #: Commands that run in this process, also as a worker of mpi4py.futures.
-STUDIES = ("study", "separation")
+STUDIES = ("study", "suite", "separation")
 
 
 def main(arguments: list[str] | None = None) -> int:

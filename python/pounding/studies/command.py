@@ -1,17 +1,16 @@
-"""`pounding study` and `pounding separation`."""
+"""`pounding study`, `pounding suite` and `pounding separation`."""
 
 from __future__ import annotations
 
 import argparse
 import errno
 import json
-import re
 import signal
 import sys
 import threading
 import time
 import warnings
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
@@ -25,19 +24,28 @@ from pounding.ended import exit_code
 from pounding.errors import ImplausibleWarning, InputError, SolverError
 from pounding.outputs import destination
 from pounding.studies import cross_check
-from pounding.studies.batches import STATUSES, Batch, Done, side_by_side
+from pounding.studies.batches import Batch, Done
 from pounding.studies.engines import ENGINES, KERNEL, run_batch
 from pounding.studies.execution import available_cores, batch_of
 from pounding.studies.kernel_engine import KernelEngine
 from pounding.studies.plan import Plan, read_plan
 from pounding.studies.progress import duration_text
-from pounding.studies.quantities import COLLAPSED_COLUMN, OF_GAPS
-from pounding.studies.reading import shortened
+from pounding.studies.command_options import at_least, study_parser
 from pounding.studies.study import Study, records_folder, run_plan
-from pounding.studies.summary import summary
+from pounding.studies.suite_command import suite
 from pounding.studies.table import COPIES, Table, require_room, size_of, size_text
+from pounding.studies.table_commands import export, plot, report_of, show
 
 VERBS = ("run", "check", "show", "merge", "plot", "export")
+#: Description of each subcommand, for the help of the command.
+_MEANINGS = {
+    "run": "run all rows (also without this name); the same command resumes a stopped study",
+    "check": "count the rows, and estimate the run time from some of them",
+    "show": "print counts and percentiles of a table, or the values and the model of one row",
+    "merge": "merge the tables of shards",
+    "plot": "draw a table: fragility, ida, gap, map or tornado",
+    "export": "write a table as CSV or Parquet",
+}
 #: Number of rows timed by `check`.
 TIMED = 20
 #: Error numbers of disks; others concern names.
@@ -84,6 +92,8 @@ def main(arguments: list[str] | None = None) -> int:
         with warnings.catch_warnings(), _until_terminated():
             warnings.simplefilter("always", ImplausibleWarning)
             warnings.showwarning = _show_warning
+            if name == "suite":
+                return suite(rest, _warn)
             return _separation(rest) if name == "separation" else _study(rest)
     except BrokenPipeError:
         raise
@@ -109,26 +119,38 @@ def main(arguments: list[str] | None = None) -> int:
 
 
 def _study(words: list[str]) -> int:
+    if not words or words[0] in ("-h", "--help"):
+        print(_help())
+        return 0 if words else 2
     verb, rest = (words[0], words[1:]) if words and words[0] in VERBS else ("run", words)
-    return {"run": _run, "check": _check, "show": _show, "merge": _merge, "plot": _plot, "export": _export}[verb](rest)
+    return {"run": _run, "check": _check, "show": show, "merge": _merge, "plot": plot, "export": export}[verb](rest)
 
 
-def _parser(verb: str, meaning: str) -> argparse.ArgumentParser:
-    return argparse.ArgumentParser(prog=f"pounding study{'' if verb == 'run' else ' ' + verb}", description=meaning)
+def _help() -> str:
+    """Help of the command, with one line per subcommand."""
+    width = max(map(len, _MEANINGS))
+    lines = [f"  {verb:<{width}}  {meaning}" for verb, meaning in _MEANINGS.items()]
+    return "\n".join(
+        [
+            "usage: pounding study STUDY.yaml [options of run]",
+            "       pounding study SUBCOMMAND ... [options]",
+            "",
+            "Run a model many times. Subcommands:",
+            *lines,
+            "",
+            "Options of a subcommand: pounding study run --help, pounding study show --help and so on.",
+        ]
+    )
 
 
 def _run(words: list[str]) -> int:
-    parser = _parser(
-        "run",
-        "Run all rows of a study. The same command resumes a stopped study. Other subcommands: "
-        + ", ".join(f"pounding study {verb}" for verb in VERBS[1:]),
-    )
+    parser = study_parser("run", "Run all rows of a study. The same command resumes a stopped study.")
     parser.add_argument("study", help="study file")
     parser.add_argument(
         "-o", "--output", help="table to write (default: the study's name with .h5, in the current folder)"
     )
     parser.add_argument(
-        "-j", "--workers", type=_at_least(0), help="processes (default: one per core); 0 runs in this one"
+        "-j", "--workers", type=at_least(0), help="processes (default: one per core); 0 runs in this one"
     )
     parser.add_argument(
         "--executor",
@@ -142,7 +164,7 @@ def _run(words: list[str]) -> int:
         metavar="K/N",
         help="run only the K-th of N equal shares of the rows; combine the tables with merge",
     )
-    parser.add_argument("--chunk", type=_at_least(1), help="rows per chunk (default: half a second of run time)")
+    parser.add_argument("--chunk", type=at_least(1), help="rows per chunk (default: half a second of run time)")
     parser.add_argument("-q", "--quiet", action="store_true", help="print nothing")
     options = parser.parse_args(words)
     output = _table_name(options.study, options.output)
@@ -175,14 +197,14 @@ def _run(words: list[str]) -> int:
         if executor is not None:
             executor.shutdown()
     if not options.quiet:
-        print(_report(done), f"{duration_text(time.monotonic() - begin)}; {output}", sep="\n")
+        print(report_of(done), f"{duration_text(time.monotonic() - begin)}; {output}", sep="\n")
     return 0
 
 
 def _check(words: list[str]) -> int:
-    parser = _parser("check", "Read a study, count its rows and estimate its run time.")
+    parser = study_parser("check", "Read a study, count its rows and estimate its run time.")
     parser.add_argument("study", help="study file")
-    parser.add_argument("-j", "--workers", type=_at_least(0), help="processes of the study (default: one per core)")
+    parser.add_argument("-j", "--workers", type=at_least(0), help="processes of the study (default: one per core)")
     options = parser.parse_args(words)
     plan = read_plan(options.study, records_folder(_table_name(options.study, None)))
     _warn(plan)
@@ -236,41 +258,8 @@ def _timed(batch: Batch, done: Done, plan: Plan, workers: int) -> list[str]:
     return lines
 
 
-def _show(words: list[str]) -> int:
-    parser = _parser("show", "Show the contents of a table, or the values and the model of one row.")
-    parser.add_argument("table", help="table of a study")
-    parser.add_argument("--row", type=int, help="index of a row, from 0: prints its model")
-    parser.add_argument("--column", help="column of a fragility curve, with --json; collapsed for that of collapse")
-    parser.add_argument("--limit", help="limit of a fragility curve, with a unit or in the unit of the column: 5 MN")
-    parser.add_argument(
-        "--json", action="store_true", help="print one JSON object: counts, and percentiles of the columns"
-    )
-    options = parser.parse_args(words)
-    done = Study.open(options.table)
-    if (options.column is None) != (options.limit is None) and options.column != COLLAPSED_COLUMN:
-        raise InputError(
-            "--column and --limit belong together: the curve is of exceedance of the limit; only --column collapsed has no limit"
-        )
-    if options.json:
-        print(json.dumps(summary(done, options.column, options.limit)))
-        return 0
-    if options.row is None:
-        print(_report(done))
-        return 0
-    if not 0 <= options.row < len(done):
-        raise InputError(f"no row {options.row}; rows count from 0 to {len(done) - 1}")
-    for name, values in done.columns.items():
-        value = values[options.row]
-        names = {"status": STATUSES, "engine": [*done.engines, "none"], "record": done.records["name"]}.get(name)
-        print(f"# {name}: {f'{value:.10g}' if names is None else names[value]} {done.units.get(name, '')}".rstrip())
-    if options.row in done.reasons:
-        print(f"# {done.reasons[options.row]}")
-    print(done.model_of(options.row), end="")
-    return 0
-
-
 def _merge(words: list[str]) -> int:
-    parser = _parser("merge", "Merge the tables of shards.")
+    parser = study_parser("merge", "Merge the tables of shards.")
     parser.add_argument("study", help="study file")
     parser.add_argument("tables", nargs="+", help="tables of the shards")
     parser.add_argument("-o", "--output", required=True, help="table to write")
@@ -287,52 +276,13 @@ def _merge(words: list[str]) -> int:
         table.close()
     left = len(table.missing())
     print(
-        _report(Study.of(table))
+        report_of(Study.of(table))
         + (
             f"\n{left} rows are in none of the tables; type pounding study {options.study} -o {options.output} to run them"
             if left
             else ""
         )
     )
-    return 0
-
-
-def _plot(words: list[str]) -> int:
-    from pounding.pictures.style import write_picture
-
-    parser = _parser("plot", "Draw a table.")
-    parser.add_argument("table", help="table of a study")
-    parser.add_argument("--picture", required=True, choices=("fragility", "ida", "gap", "map", "tornado"))
-    parser.add_argument("--column", help="column to draw; collapsed is 1 in rows that collapsed")
-    parser.add_argument("--limit", help="limit of a fragility, with a unit or in the unit of the column: 5 MN")
-    parser.add_argument("--across", help="factor along the horizontal axis of a map")
-    parser.add_argument("--along", help="factor along the vertical axis of a map")
-    parser.add_argument(
-        "-o", "--output", help="picture: .png, .pdf or .svg (default: TABLE-PICTURE.png in the current folder)"
-    )
-    options = parser.parse_args(words)
-    chosen = {key: value for key in ("limit", "across", "along") if (value := getattr(options, key)) is not None}
-    needed = {"fragility": () if options.column == COLLAPSED_COLUMN else ("limit",), "map": ("across", "along")}.get(
-        options.picture, ()
-    )
-    for key in needed:
-        if key not in chosen:
-            raise InputError(f"--picture {options.picture} needs --{key}")
-    figure = Study.open(options.table).plot(options.picture, options.column, **chosen)
-    return write_picture(
-        figure, f"{Path(options.table).stem}-{options.picture}.png" if options.output is None else options.output
-    )
-
-
-def _export(words: list[str]) -> int:
-    parser = _parser("export", "Export a table to CSV or Parquet.")
-    parser.add_argument("table", help="table of a study")
-    parser.add_argument("-o", "--output", required=True, help=".csv or .parquet")
-    options = parser.parse_args(words)
-    ways = {".csv": Study.to_csv, ".parquet": Study.to_parquet}
-    if (suffix := Path(options.output).suffix) not in ways:
-        raise InputError(f'{options.output}: writes .csv or .parquet, not "{suffix}"')
-    ways[suffix](Study.open(options.table), options.output)
     return 0
 
 
@@ -344,7 +294,7 @@ def _separation(words: list[str]) -> int:
     )
     parser.add_argument("model", help="model file, with or without study: {records: ...}")
     parser.add_argument("--records", nargs="+", help="files of records, or a folder, instead of the model's motion")
-    parser.add_argument("-j", "--workers", type=_at_least(0), help="processes (default: one per core)")
+    parser.add_argument("-j", "--workers", type=at_least(0), help="processes (default: one per core)")
     parser.add_argument("--json", action="store_true", help="print one JSON object")
     options = parser.parse_args(words)
     plan = read_separation(options.model, options.records)
@@ -367,17 +317,6 @@ def _table_name(study: str, given: str | None) -> Path:
     return Path(given)
 
 
-def _at_least(least: int) -> Callable[[str], int]:
-    """Type for argparse: integers with a lower bound."""
-
-    def read(text: str) -> int:
-        if not re.fullmatch(r"\+?[0-9]{1,18}", text) or int(text) < least:
-            raise argparse.ArgumentTypeError(f'takes an integer of at least {least}, not "{text[:40]}"')
-        return int(text)
-
-    return read
-
-
 def _shard(text: str) -> tuple[int, int]:
     number, _, count = text.partition("/")
     if not (number.isdigit() and count.isdigit() and 1 <= int(number) <= int(count)):
@@ -392,46 +331,6 @@ def _warn(plan: Plan) -> None:
 
 def _show_warning(message: Warning | str, *_: Any, **__: Any) -> None:
     print(f"warning: {message}", file=sys.stderr)
-
-
-def _report(done: Study) -> str:
-    status = done["status"]
-    lines = [", ".join(f"{count} {word}" for i, word in enumerate(STATUSES) if (count := int((status == i).sum())))]
-    if collapsed := done.collapsed:
-        row = min(collapsed)
-        lines.append(
-            f"  rows {shortened(list(collapsed))} collapsed and exceed every limit; row {row}: {collapsed[row]}"
-        )
-    if alone := _collapsed_without_links(done):
-        lines.append(
-            f"  rows {shortened(alone)} collapsed without links: their columns are infinite, and no gap is sufficient"
-        )
-    reasons: dict[str, list[int]] = {}
-    for row, why in done.failed.items():
-        reasons.setdefault(why, []).append(row)
-    lines += [f"  rows {shortened(rows)}: {why}" for why, rows in list(reasons.items())[:5]]
-    if len(done.engines) > 1:
-        lines[0] += "; " + ", ".join(
-            f"{count} by the {name}"
-            for i, name in enumerate(done.engines)
-            if (count := int((done["engine"] == i).sum()))
-        )
-    columns = done.description["kept"]["columns"]
-    values = side_by_side([done[column] for column in columns], len(done))
-    lines += cross_check.report_lines(done.check, values, columns)
-    if options := done.description.get("options"):
-        lines.append(f"options of PETSc for rows of the solver: {' '.join(options)}")
-    lines += [f"warning: {doubt}" for doubt in done.warnings]
-    return "\n".join(lines)
-
-
-def _collapsed_without_links(done: Study) -> list[int]:
-    """Rows whose run without links collapsed, if a column shows it."""
-    columns = [
-        column for column in done.description["kept"]["columns"] if column.endswith(".alone") or column in OF_GAPS
-    ]
-    infinite = [np.isinf(done[column]) for column in columns]
-    return np.flatnonzero(np.any(infinite, axis=0)).tolist() if infinite else []
 
 
 if __name__ == "__main__":

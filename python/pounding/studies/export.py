@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import csv
 import re
+from collections.abc import Mapping
 from os import PathLike
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -44,12 +45,21 @@ def readable(study: Rows) -> dict[str, np.ndarray]:
     return found
 
 
-def to_csv(study: Rows, path: str | PathLike[str]) -> None:
-    """Writes one line per row, with all digits of numbers.
+def chosen(study: Rows, values: Mapping[str, float | str]) -> dict[str, np.ndarray]:
+    """The readable columns, of the rows with these values of factors. Raises InputError if there are none."""
+    columns = readable(study)
+    if not values:
+        return columns
+    rows = study.choose(**values)
+    return {name: column[rows] for name, column in columns.items()}
+
+
+def to_csv(study: Rows, path: str | PathLike[str], **values: float | str) -> None:
+    """Writes one line per row, with all digits of numbers; `values` select finished rows by values of factors.
 
     Texts that a spreadsheet would evaluate as formulas begin with an apostrophe. Raises InputError for an existing file
     of another kind, OSError."""
-    columns = readable(study)
+    columns = chosen(study, values)
     with replaced(path, CSV, _inputs(study)) as temporary, open(temporary, "w", newline="", encoding="utf-8") as file:
         writer = csv.writer(file)
         writer.writerow(
@@ -84,7 +94,7 @@ def _inputs(study: Rows) -> list[Path]:
     return [study.path, *(folder / name for name in files.texts(given) for folder in (study.path.parent, Path()))]
 
 
-def to_parquet(study: Rows, path: str | PathLike[str]) -> None:
+def to_parquet(study: Rows, path: str | PathLike[str], **values: float | str) -> None:
     """Writes one Parquet file, with units as metadata. Raises ImportError without PyArrow, InputError for an existing
     file of another kind, OSError."""
     try:
@@ -93,8 +103,8 @@ def to_parquet(study: Rows, path: str | PathLike[str]) -> None:
     except ModuleNotFoundError as error:
         raise ImportError("this needs pyarrow: type python3 -m pip install pyarrow") from error
     columns = {
-        name: pyarrow.array(values.tolist() if values.dtype.kind == "U" else values)
-        for name, values in readable(study).items()
+        name: pyarrow.array(column.tolist() if column.dtype.kind == "U" else column)
+        for name, column in chosen(study, values).items()
     }
     fields = [
         pyarrow.field(name, column.type, metadata={"units": study.units.get(name, "")})

@@ -57,9 +57,7 @@ class GapFactors:
         structures = self.parts["structures"]
         frames = [one for one in (right, left) if isinstance(structures.get(one, {}).get("frame"), Mapping)]
         if len(frames) < 2:
-            raise InputError(
-                f"{place}: {pair} are not two frames; type the path of their gap, as in of: links.*.gap"
-            )
+            raise InputError(f"{place}: {pair} are not two frames; type the path of their gap, as in of: links.*.gap")
         # The frame without links to other structures.
         alone = [one for one in frames if all({a, b} == {left, right} for a, b, _ in at_rest.ends if one in (a, b))]
         if not alone:

@@ -63,7 +63,8 @@ def order_statistic(values: np.ndarray, percent: float) -> float:
 
 def at_levels(im: np.ndarray, values: np.ndarray, percent: Sequence[float]) -> Percentiles:
     """Percentiles of the rows at every level."""
-    levels, which = np.unique(im, return_inverse=True)
+    # NaN, of a study without an intensity, is one level.
+    levels, which = np.unique(im, return_inverse=True, equal_nan=True)
     found = np.array([[order_statistic(values[which == i], p) for i in range(len(levels))] for p in percent])
     return Percentiles(levels, tuple(float(p) for p in percent), found, np.bincount(which, minlength=len(levels)))
 

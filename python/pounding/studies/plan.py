@@ -36,9 +36,11 @@ from pounding.studies.motions import (
     scaling_warnings,
 )
 from pounding.studies.prepared import prepared
-from pounding.studies.quantities import COLLAPSED_COLUMN, UNITS, read_keep, read_limits
+from pounding.studies.quantities import COLLAPSED_COLUMN, UNITS, Kept, read_keep, read_limits
 from pounding.studies.sampling import Points, read_points
+from pounding.studies.scaling import scale
 from pounding.studies.sources import kept_beside, read_motions
+from pounding.studies.suite_columns import contents, every_column
 from pounding.studies.template import Template
 
 #: Maximum number of rows.
@@ -62,6 +64,7 @@ class Plan:
     warnings: tuple[str, ...] = field(default=(), compare=False)
     files: Files = field(default_factory=Files, compare=False, repr=False)  #: contents of all files that it names
     options: tuple[str, ...] = ()  #: options in PETSC_OPTIONS that affect the solver
+    suite: Mapping[str, Any] | None = None  #: of a suite: the contents of its structures and links, and its scaling
 
     @property
     def levels(self) -> tuple[float, ...]:
@@ -129,6 +132,7 @@ class Plan:
             "version": core.version,
             "kernel": core.kernel_version,
         }
+        found |= {"suite": self.suite} if self.suite is not None else {}
         # Without options the digest is that of earlier tables.
         return {**found, **({"options": self.options} if self.options else {}), "files": self.files.digests(found)}
 
@@ -195,9 +199,15 @@ def plan_of(given: Given, store: Path | None = None) -> Plan:
 
 
 def make_plan(
-    model: Model | str | PathLike[str], given: Any, folder: Path, text: str = "", store: Path | None = None
+    model: Model | str | PathLike[str],
+    given: Any,
+    folder: Path,
+    text: str = "",
+    store: Path | None = None,
+    suite: Mapping[str, Any] | None = None,
 ) -> Plan:
-    """The plan of a model and of the keys of `study:`. Raises InputError."""
+    """The plan of a model and of the keys of `study:`; `suite` has those of a suite, with values in SI. Raises
+    InputError."""
     functions, typed = functions_of(given.get("keep") if isinstance(given, Mapping) else None)
     if functions:
         given = {**given, "keep": typed}
@@ -245,12 +255,20 @@ def make_plan(
     intensity = read_intensity(one.get("intensity"), _first_periods(model) if "intensity" in one else ())
     _require_own_strength(factors, parts, intensity)
     motions = measured(motions, intensity, files)
+    recorded, scaling = motions, None
+    if suite is not None and "scale_to" in suite:
+        scaling = scale(suite["scale_to"], motions, _first_periods(model), folder, files)
+        motions = scaling.scaled(motions)
     _require_scales(motions, intensity)
     if intensity and intensity.levels:
         _require_one_ground(parts)
     layout = layout_of(parts)
     keep = [*typed, *(function.call for function in functions)] if functions else one.get("keep")
-    kept = read_keep(keep, one["without_links"], layout, read_limits(one.get("limits", {})))
+    kept = (
+        read_keep(keep, one["without_links"], layout, read_limits(one.get("limits", {})))
+        if suite is None
+        else Kept(every_column(layout, one["without_links"]))
+    )
     parts.pop("compare", None)
     if kept.needs_comparison:
         parts["compare"] = "no_pounding"
@@ -273,6 +291,9 @@ def make_plan(
         (),
         files,
         tuple(core.given_options()) if os.environ.get("PETSC_OPTIONS") else (),
+        None
+        if suite is None
+        else {"layout": contents(layout), **({"scaling": scaling.description()} if scaling else {})},
     )
     if plan.count > MAX_ROWS:
         raise InputError(
@@ -291,7 +312,8 @@ def make_plan(
         *with_cuts(of_model, of_first, cut_records(template, points, layout.last_arrival, files)),
         *implausible(motions, parts.get("accept") or ()),
         *repeated(motions),
-        *scaling_warnings(motions, intensity),
+        *scaling_warnings(recorded, intensity),
+        *(scaling.warnings if scaling else ()),
         *bare_number_warnings(given, points, parts),
         *_refused_labels(plan),
     )

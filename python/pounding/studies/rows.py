@@ -129,13 +129,33 @@ class Rows:
         """Place and time of collapses, by row. Collapsed rows exceed every limit: their responses are infinite."""
         return {int(row): self.reasons.get(int(row), "") for row in np.flatnonzero(self.columns["status"] == COLLAPSED)}
 
-    def choose(self, **values: float) -> np.ndarray:
-        """[row] True for finished rows with these values of factors: `choose(gap=0.02)`. Raises InputError if there
-        are none."""
-        chosen = self.finished.copy()
+    def choose(self, **values: float | str) -> np.ndarray:
+        """[row] True for finished rows with these values of factors: `choose(gap=0.02)`, `choose(gap="20 mm")`, or the
+        name of a level, `choose(law="hertz")`. Raises InputError if there are none."""
+        return self._among(self.finished, values)
+
+    def value_of(self, name: str, value: float | str) -> float:
+        """A value of a factor in SI, or the index of its name. Raises InputError."""
+        self[name]
+        labels: Sequence[str] = next((one["labels"] for one in self.description["factors"] if one["name"] == name), ())
+        if not isinstance(value, str):
+            return float(number()(name, value))
+        if labels:
+            if value not in labels:
+                raise InputError(f'{name} has no value "{value}"; it is {", ".join(labels)}')
+            return float(labels.index(value))
+        unit = self.units.get(name, "")
+        try:
+            return float(core.quantity(value, unit)) if unit else float(value)
+        except ValueError as error:
+            raise InputError(
+                f"{name}: takes a value{f' in {unit}' if unit else ' without a unit'}; {value} was read ({error})"
+            ) from None
+
+    def _among(self, rows: np.ndarray, values: Mapping[str, float | str]) -> np.ndarray:
+        chosen = rows.copy()
         for name, value in values.items():
-            value = number()(name, value)
-            chosen &= np.isclose(self[name], value, rtol=1e-9, atol=0)
+            chosen &= np.isclose(self[name], self.value_of(name, value), rtol=1e-9, atol=0)
         if not chosen.any():
             known = "; ".join(
                 f"{name} is {', '.join(f'{value:g}' for value in np.unique(self[name])[:12])}" for name in values
@@ -163,7 +183,13 @@ class Rows:
 
     @takes(bootstrap=whole(0, 1_000_000), seed=whole(0))
     def fragility(
-        self, column: str, limit: float | str | None = None, *, bootstrap: int = 1000, seed: int = 1, **values: float
+        self,
+        column: str,
+        limit: float | str | None = None,
+        *,
+        bootstrap: int = 1000,
+        seed: int = 1,
+        **values: float | str,
     ) -> fragility.Fragility:
         """Lognormal curve of the probability that `column` exceeds `limit` (SI, or "5 MN"), over the intensity.
 
@@ -191,14 +217,18 @@ class Rows:
         )
 
     @takes(percent=arguments.listed(number(0, 100), "a list of percentages"))
-    def percentiles(self, column: str, percent: Sequence[float] = (16, 50, 84), **values: float) -> curves.Percentiles:
-        """Percentiles of a column at every level, by order statistics; exceeded and collapsed rows are infinite."""
+    def percentiles(
+        self, column: str, percent: Sequence[float] = (16, 50, 84), **values: float | str
+    ) -> curves.Percentiles:
+        """Percentiles of a column at every level, by order statistics; exceeded and collapsed rows are infinite.
+
+        Without an intensity all rows are one level, whose `im` is NaN."""
         chosen = self.choose(**values)
         beyond = (self["status"] == EXCEEDED) & bool(self.description["kept"]["limits"])
         chosen = chosen & (beyond | self._defined(column, chosen))
-        return curves.at_levels(self._im()[chosen], np.where(beyond, np.inf, self[column])[chosen], percent)
+        return curves.at_levels(self["im"][chosen], np.where(beyond, np.inf, self[column])[chosen], percent)
 
-    def gaps(self, **values: float) -> gaps.GapCurve:
+    def gaps(self, **values: float | str) -> gaps.GapCurve:
         """Probability that a gap is insufficient, over the gap, with its band from the number of events, and the
         rules. Needs keep: [required_gap]."""
         chosen = self.choose(**values)
@@ -206,9 +236,9 @@ class Rows:
         return gaps.GapCurve.of(self["required_gap"][chosen], rules, self._events()[chosen])
 
     @takes(percent=number(0, 100))
-    def map(self, column: str, across: str, along: str, percent: float = 50) -> curves.Map:
-        """A percentile of a column over two factors, pooled over all others."""
-        return curves.over_two(self[across], self[along], self[column], self.finished, percent, (across, along))
+    def map(self, column: str, across: str, along: str, percent: float = 50, **values: float | str) -> curves.Map:
+        """A percentile of a column over two factors, pooled over all others; `values` select values of factors."""
+        return curves.over_two(self[across], self[along], self[column], self.choose(**values), percent, (across, along))
 
     def _defined(self, column: str, chosen: np.ndarray) -> np.ndarray:
         """[row] True if the column is a number. Raises InputError if it is not a number in any chosen row."""

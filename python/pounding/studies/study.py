@@ -109,19 +109,20 @@ class Study(Rows):
         return to_xarray(self)
 
     @takes(path=arguments.file)
-    def to_csv(self, path: File) -> None:
-        """Writes all rows as text, one line per row, below a header of names with units. Raises InputError if the
+    def to_csv(self, path: File, **values: float | str) -> None:
+        """Writes all rows as text, or finished ones with these values of factors, one line per row, below a header of
+        names with units. Raises InputError if the
         file exists and is not such a table, OSError."""
         from pounding.studies.export import to_csv
 
-        to_csv(self, path)
+        to_csv(self, path, **values)
 
     @takes(path=arguments.file)
-    def to_parquet(self, path: File) -> None:
+    def to_parquet(self, path: File, **values: float | str) -> None:
         """Writes all rows as Parquet, with units. Needs PyArrow. Raises the same errors as `to_csv`."""
         from pounding.studies.export import to_parquet
 
-        to_parquet(self, path)
+        to_parquet(self, path, **values)
 
     def model_of(self, row: int) -> str:
         """The input of one row, from 0, for `pounding run`. Raises InputError for an invalid index."""

@@ -47,9 +47,8 @@ constexpr Key scale_keys[] = {
     {"from", quantity(dimension::time, bounds::positive),
      otherwise("0.2 times the shortest first period of the structures"), "Shortest period of the range.", "0.2 s",
      suites_since},
-    {"to", quantity(dimension::time, bounds::positive),
-     otherwise("2 times the longest first period of the structures"), "Longest period of the range.", "2 s",
-     suites_since},
+    {"to", quantity(dimension::time, bounds::positive), otherwise("2 times the longest first period of the structures"),
+     "Longest period of the range.", "2 s", suites_since},
     {"method", choice(methods, "method"), otherwise("suite for the spectrum of a code, else least_squares"),
      "suite: one factor for all records, the smallest with which their mean spectrum is nowhere below the fraction of "
      "the target. least_squares: one factor per record, with the smallest sum of squared differences from the target. "
