@@ -64,12 +64,13 @@ def sobol_indices(study: Rows, column: str) -> Indices:
     return Indices(names, *(np.asarray(found[key]) for key in ("S1", "ST", "S1_conf", "ST_conf")))
 
 
-def swings(study: Rows, column: str, share: float = 0.1) -> list[tuple[str, float, float]]:
+def swings(study: Rows, column: str, share: float = 0.1, **chosen: float | str) -> list[tuple[str, float, float]]:
     """Median of a column in the rows with the lowest and with the highest tenth of each factor, largest swing first.
-    All other factors vary in both groups."""
+    All other factors vary in both groups, except those with a chosen value."""
     found = []
+    finished = study.choose(**chosen) if chosen else study.finished
     for name in study.factors:
-        values, finished = study[name], study.finished
+        values = study[name] if not chosen else np.where(finished, study[name], study[name][finished][0])
         low, high = (
             np.quantile(values, share, method="inverted_cdf"),
             np.quantile(values, 1 - share, method="inverted_cdf"),

@@ -81,18 +81,24 @@ def scale(
     target = read_target(one["spectrum"], damping, folder)
     horizontal = [[axis for axis in motion.parts if axis != "z"] for motion in motions]
     if not all(horizontal):
-        raise InputError("records.scale_to: scales horizontal components, and the records are along z only; remove scale_to")
+        raise InputError(
+            "records.scale_to: scales horizontal components, and the records are along z only; remove scale_to"
+        )
     is_pair = len(horizontal[0]) == 2
     grid = np.geomspace(*_range(one, periods), COUNT)
     components = one.get("components", target.components) if is_pair else ""
     if "components" in one and not is_pair:
-        raise InputError("records.scale_to.components: combines two horizontal components, and each record has one; remove it")
+        raise InputError(
+            "records.scale_to.components: combines two horizontal components, and each record has one; remove it"
+        )
     factor = target.srss_factor if components == "srss" else 1.0
     sa = factor * target.sa(grid)
     spectra = np.array([_spectrum(motion, components, grid, damping, files) for motion in motions])
     if not (spectra > 0).all():
         wrong = motions[int(np.flatnonzero(~(spectra > 0).all(axis=1))[0])]
-        raise InputError(f"records.scale_to: the spectrum of {wrong.name} is zero in the range of periods; leave the record out")
+        raise InputError(
+            f"records.scale_to: the spectrum of {wrong.name} is zero in the range of periods; leave the record out"
+        )
     method = one.get("method", target.method)
     fraction = one.get("fraction", 0.9 if method == "suite" else 0.0)
     own = _own_factors(method, spectra, sa)
@@ -127,7 +133,9 @@ def _warnings(motions: Sequence[Motion], factors: np.ndarray, target: Target) ->
     found = []
     if len(motions) < target.minimum:
         found.append(f"records: {len(motions)} records, and the code takes at least {target.minimum}. {target.note}")
-    far = [motion.name for motion, factor in zip(motions, factors) if not 1 / PLAUSIBLE_SCALE <= factor <= PLAUSIBLE_SCALE]
+    far = [
+        motion.name for motion, factor in zip(motions, factors) if not 1 / PLAUSIBLE_SCALE <= factor <= PLAUSIBLE_SCALE
+    ]
     if far:
         found.append(
             f"records.scale_to: {len(far)} of {len(motions)} records have factors outside 1/{PLAUSIBLE_SCALE:g} to {PLAUSIBLE_SCALE:g}, such as "

@@ -64,7 +64,9 @@ class Suite(Study):
     def layout(self) -> Mapping[str, Any]:
         """Structures and links with their contents. Raises InputError for the table of a study."""
         if "suite" not in self.description:
-            raise InputError(f"{self.path} is the table of a study, not of a suite; type pounding study show {self.path}")
+            raise InputError(
+                f"{self.path} is the table of a study, not of a suite; type pounding study show {self.path}"
+            )
         found: Mapping[str, Any] = self.description["suite"]["layout"]
         return found
 
@@ -159,7 +161,9 @@ def read_suite(name: File, store: Path | None = None) -> Plan:
             else f"{name}: has no records:, which are the ground motions of a suite; add records: {{files: records/*.AT2}}, or type pounding run {name}"
         )
     if "study" in parts:
-        raise InputError(f"{name}: has records: of a suite and study:; move the records into the study, or the study into another file")
+        raise InputError(
+            f"{name}: has records: of a suite and study:; move the records into the study, or the study into another file"
+        )
     given = core.read_suite(text, name)
     rest = {key: value for key, value in parts.items() if key != "records"}
     without = _without_records(text)
@@ -177,12 +181,20 @@ def read_suite(name: File, store: Path | None = None) -> Plan:
 def _without_records(text: str) -> str:
     """The text with empty lines in place of the section `records`, so that errors cite the lines of the file."""
     return re.sub(
-        r"^records\s*:[^\n]*(\n(?![^\s#}\]-])[^\n]*)*", lambda found: "\n" * found[0].count("\n"), text, flags=re.MULTILINE
+        r"^records\s*:[^\n]*(\n(?![^\s#}\]-])[^\n]*)*",
+        lambda found: "\n" * found[0].count("\n"),
+        text,
+        flags=re.MULTILINE,
     )
 
 
 def plan_of_suite(
-    model: Model, records: Mapping[str, Any], given: Mapping[str, Any], folder: Path, text: str = "", store: Path | None = None
+    model: Model,
+    records: Mapping[str, Any],
+    given: Mapping[str, Any],
+    folder: Path,
+    text: str = "",
+    store: Path | None = None,
 ) -> Plan:
     """The plan of a suite: `records` as typed, and `given` with values in SI. Raises InputError."""
     typed = {key: value for key, value in records.items() if key != "scale_to"}
@@ -246,6 +258,3 @@ def suite(
     for doubt in plan.warnings:
         warnings.warn(doubt, ImplausibleWarning, stacklevel=2)
     return run_suite(plan, path, workers, executor, progress)
-
-
-

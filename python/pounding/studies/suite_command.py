@@ -28,7 +28,9 @@ def suite(words: list[str], warn: Callable[[Plan], None]) -> int:
     )
     parser.add_argument("model", help="model file with records:")
     parser.add_argument("-o", "--output", help="table to write (default: MODEL-suite.h5 in the current folder)")
-    parser.add_argument("-j", "--workers", type=at_least(0), help="processes (default: one per core); 0 runs in this one")
+    parser.add_argument(
+        "-j", "--workers", type=at_least(0), help="processes (default: one per core); 0 runs in this one"
+    )
     add_percentile(parser, "16, 50 and 84")
     parser.add_argument("--json", action="store_true", help="print one JSON object with all numbers in SI")
     parser.add_argument(

@@ -57,7 +57,9 @@ def profiles_figure(
     rows, columns = (1, len(names)) if len(chosen) == 1 else (len(names), len(chosen))
     width, height = size or (max(3.3, 1.9 * columns), 0.8 + 2.6 * rows)
     has_alone = suite.has_comparison and compare is not False
-    with style.picture((width, height), suite.description["model"].get("title", "") if title is None else title) as figure:
+    with style.picture(
+        (width, height), suite.description["model"].get("title", "") if title is None else title
+    ) as figure:
         every = figure.subplots(rows, columns, squeeze=False)
         places = [(name, each) for name in names for each in chosen]
         for axes, (name, each) in zip(every.flat, places):

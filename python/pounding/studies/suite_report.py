@@ -58,7 +58,9 @@ def _counts(suite: Suite) -> str:
     if suite.failed:
         lines.append(f"failed records are in no statistics: {len(suite.failed)} of {len(suite)}")
     names = suite.records["name"]
-    lines += [f"  {names[suite['record'][row]]}: {why}" for row, why in [*suite.failed.items(), *suite.collapsed.items()][:10]]
+    lines += [
+        f"  {names[suite['record'][row]]}: {why}" for row, why in [*suite.failed.items(), *suite.collapsed.items()][:10]
+    ]
     if suite.collapsed:
         lines.append("collapsed records count as infinite values")
     return "\n".join(lines)
@@ -148,7 +150,13 @@ def _of_links(suite: Suite, percent: Sequence[float]) -> list[str]:
 
 
 def _block(
-    title: str, names: Sequence[str], values: np.ndarray, alone: np.ndarray | None, suite: Suite, percent: Sequence[float], shown: int
+    title: str,
+    names: Sequence[str],
+    values: np.ndarray,
+    alone: np.ndarray | None,
+    suite: Suite,
+    percent: Sequence[float],
+    shown: int,
 ) -> list[str]:
     """One table; of more than `shown` names those with the largest means."""
     found = suite.statistics(values, percent)

@@ -89,7 +89,7 @@ def percentile_table(study: Rows, percent: Sequence[float], where: Mapping[str, 
     lines = [heads]
     for name in study.description["kept"]["columns"]:
         found = _of_column(study[name][chosen], percent)
-        largest = max((abs(value) for value in found.values() if value is not None), default=0.0)
+        largest = max((abs(value) for key in ("min", "max") if (value := found.get(key)) is not None), default=0.0)
         size, unit = readable_unit(largest, study.units.get(name, ""))
         numbers = [found.get(key, np.nan) for key in ("min", "mean", *(f"{one:g} %" for one in percent), "max")]
         cells = [

@@ -148,5 +148,3 @@ def _collapsed_without_links(done: Study) -> list[int]:
     ]
     infinite = [np.isinf(done[column]) for column in columns]
     return np.flatnonzero(np.any(infinite, axis=0)).tolist() if infinite else []
-
-

@@ -53,7 +53,9 @@ class Target:
 def read_target(one: Mapping[str, Any], damping: float, folder: Path) -> Target:
     """The target of `scale_to.spectrum`, with values in SI. Raises InputError."""
     if "periods" in one and "sa" not in one:
-        raise InputError(f"{_PLACE}.periods: belongs to sa, as in periods: [0 s, 0.5 s, 2 s], sa: [0.3 g, 0.8 g, 0.2 g]")
+        raise InputError(
+            f"{_PLACE}.periods: belongs to sa, as in periods: [0 s, 0.5 s, 2 s], sa: [0.3 g, 0.8 g, 0.2 g]"
+        )
     if "en1998_1" in one:
         return _en1998(one["en1998_1"], damping)
     if "asce_7" in one:
@@ -83,9 +85,7 @@ def asce7(periods: np.ndarray, sds: float, sd1: float, tl: float) -> np.ndarray:
     t0, ts = 0.2 * sd1 / sds, sd1 / sds
     t = np.maximum(periods, 1e-12)
     return np.select(
-        [periods < t0, periods <= ts, periods <= tl],
-        [sds * (0.4 + 0.6 * periods / t0), sds, sd1 / t],
-        sd1 * tl / t**2,
+        [periods < t0, periods <= ts, periods <= tl], [sds * (0.4 + 0.6 * periods / t0), sds, sd1 / t], sd1 * tl / t**2
     )
 
 
@@ -143,7 +143,9 @@ def _file(path: Path) -> Target:
         reason = getattr(error, "strerror", None) or "it is not a text"
         raise InputError(f"{place}: {reason}; name a CSV file with the lines period (s),sa (g) and numbers") from None
     if len(lines) < 3 or len(lines[0]) != 2:
-        raise InputError(f"{place}: takes two columns, a line of names with units, period (s),sa (g), and at least two lines of numbers")
+        raise InputError(
+            f"{place}: takes two columns, a line of names with units, period (s),sa (g), and at least two lines of numbers"
+        )
     units = [name.rpartition("(")[2].rstrip(") ") if "(" in name else "" for name in lines[0]]
     factors = []
     for unit, expected, example in zip(units, ("s", "m/s^2"), ("period (s)", "sa (g)")):
@@ -162,7 +164,9 @@ def _file(path: Path) -> Target:
 
 def _table(name: str, periods: np.ndarray, sa: np.ndarray, place: str) -> Target:
     if len(periods) != len(sa):
-        raise InputError(f"{place}: {len(periods)} periods and {len(sa)} values of sa were read; type one value per period")
+        raise InputError(
+            f"{place}: {len(periods)} periods and {len(sa)} values of sa were read; type one value per period"
+        )
     if not (np.isfinite(periods).all() and np.isfinite(sa).all() and (np.diff(periods) > 0).all()):
         raise InputError(f"{place}: takes finite numbers with increasing periods")
     if not (sa > 0).all():
