@@ -19,7 +19,7 @@ void add_spectrum(CLI::App& app);     ///< `spectrum RESULTS.h5`
 void add_modes(CLI::App& app);        ///< `modes MODEL.yaml`
 void add_pushover(CLI::App& app);     ///< `pushover MODEL.yaml`
 void add_sensitivity(CLI::App& app);  ///< `sensitivity MODEL.yaml`
-void add_study(CLI::App& app);        ///< `study STUDY.yaml`, `suite` and `separation MODEL.yaml`
+void add_study(CLI::App& app);        ///< `study`, `suite`, `separation` and `screen`
 void add_plot(CLI::App& app);         ///< `plot RESULTS.h5`
 void add_animate(CLI::App& app);      ///< `animate RESULTS.h5`
 void add_export(CLI::App& app);       ///< `export RESULTS.h5`

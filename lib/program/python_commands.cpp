@@ -1,4 +1,4 @@
-/// `animate`, `export`, `study`, `suite` and `separation`: done by Python.
+/// `animate`, `export`, `study`, `suite`, `separation` and `screen`: done by Python.
 
 #include <memory>
 #include <string>
@@ -11,10 +11,10 @@
 namespace pounding::program {
 namespace {
 
-// All arguments after the command belong to Python, including a --help after the first of them.
-void add_python_command(CLI::App& app, const std::string& name, const std::string& meaning, const std::string& more) {
+// All arguments after the command belong to Python, including --help.
+void add_python_command(CLI::App& app, const std::string& name, const std::string& meaning) {
   CLI::App* command = app.add_subcommand(name, meaning);
-  command->footer(more);
+  command->set_help_flag();
   command->prefix_command();
   command->callback([command, name] {
     std::vector<std::string> arguments{name};
@@ -26,14 +26,11 @@ void add_python_command(CLI::App& app, const std::string& name, const std::strin
 }  // namespace
 
 void add_study(CLI::App& app) {
-  add_python_command(app, "study", "Run a model many times: STUDY.yaml; check, show, merge, plot and export its table",
-                     "Options of each subcommand: pounding study run --help, and check, show, merge, plot or export "
-                     "instead of run");
-  add_python_command(app, "suite", "Run a model under each of its records: MODEL.yaml with records",
-                     "All options: pounding suite MODEL.yaml --help");
-  add_python_command(app, "separation",
-                     "The gap that a model needs, by its records and by the rules of codes: MODEL.yaml",
-                     "All options: pounding separation MODEL.yaml --help");
+  add_python_command(app, "study", "Run a model many times: STUDY.yaml; check, show, merge, plot and export its table");
+  add_python_command(app, "suite", "Run a model under each of its records: MODEL.yaml with records");
+  add_python_command(app, "separation", "Required gap of a model by its records and by the rules of codes: MODEL.yaml");
+  add_python_command(app, "screen",
+                     "Screen the gaps of a model by rules for existing buildings, without a run: MODEL.yaml");
 }
 
 void add_animate(CLI::App& app) {

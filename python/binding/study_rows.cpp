@@ -165,8 +165,8 @@ py::dict numbers_of(const Summary& summary) {
                           "peak_penetration"_a = l.peak_penetration, "impulse"_a = l.impulse,
                           "energy_lost"_a = l.energy_lost));
   for (const LinkSeparation& s : summary.separations)
-    separations.append(py::dict("link"_a = s.link, "enough"_a = s.enough, "abs"_a = s.absolute_sum, "srss"_a = s.srss,
-                                "ddc"_a = s.ddc));
+    separations.append(py::dict("link"_a = s.link, "enough"_a = s.enough, "left"_a = s.left, "right"_a = s.right,
+                                "abs"_a = s.absolute_sum, "srss"_a = s.srss, "ddc"_a = s.ddc));
   return py::dict(
       "status"_a = summary.status, "links"_a = links, "structures"_a = numbers_of(summary.structures),
       "no_pounding"_a = py::dict("status"_a = summary.without_links_status,

@@ -317,11 +317,14 @@ TEST(Separation, ThatIsEnoughIsTheLargestApproachOfTheRunWithoutLinks) {
   EXPECT_EQ(pair.gap, 0.02);
   // Two runs at tolerance 1e-4 with different steps.
   EXPECT_NEAR(pair.enough, approach, 1e-3 * approach);
-  EXPECT_NEAR(pair.absolute_sum, ua + ub, 1e-3 * ua);
+  EXPECT_NEAR(pair.left, ua, 1e-3 * ua);
+  EXPECT_NEAR(pair.right, ub, 1e-3 * ub);
+  EXPECT_EQ(pair.absolute_sum, pair.left + pair.right);
   EXPECT_NEAR(pair.srss, std::hypot(ua, ub), 1e-3 * ua);
   const double rho = double_difference(0.8, 0.05, 0.4, 0.02);
   EXPECT_NEAR(pair.ddc, std::sqrt(ua * ua + ub * ub - 2 * rho * ua * ub), 1e-3 * ua);
   EXPECT_NEAR(wall.enough, *std::max_element(v.begin(), v.end()), 1e-3 * ub);
+  EXPECT_EQ(wall.right, 0);
   EXPECT_NEAR(wall.ddc, ub, 1e-3 * ub) << "the wall moves with the ground";
   EXPECT_TRUE(test::run_text(yaml(links + "analysis: {duration: 1}\n")).summary.separations.empty());
 }

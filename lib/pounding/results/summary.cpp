@@ -238,6 +238,8 @@ Json separations_json(const std::vector<LinkSeparation>& separations, bool compl
                    {"gap", s.gap},
                    {"enough", of_run(s.enough)},
                    {"time", of_run(s.time)},
+                   {"left", of_run(s.left)},
+                   {"right", of_run(s.right)},
                    {"abs", of_run(s.absolute_sum)},
                    {"srss", of_run(s.srss)},
                    {"ddc", of_run(s.ddc)}});

@@ -67,6 +67,8 @@ struct LinkSeparation {
   double gap = 0;           ///< actual gap of the link
   double enough = 0;        ///< largest approach of the two ends over time, at least 0
   double time = 0;          ///< time of that approach [s]
+  double left = 0;          ///< uA: peak displacement of the left end along the link, either sign
+  double right = 0;         ///< uB: of the right end
   double absolute_sum = 0;  ///< uA + uB
   double srss = 0;          ///< sqrt(uA^2 + uB^2)
   /// sqrt(uA^2 + uB^2 - 2 rho uA uB), see double_difference(); NaN if a structure has no period
@@ -75,7 +77,7 @@ struct LinkSeparation {
   /// For a checkpoint.
   void archive(Archive& archive) {
     archive(link);
-    for (double* value : {&gap, &enough, &time, &absolute_sum, &srss, &ddc}) archive(*value);
+    for (double* value : {&gap, &enough, &time, &left, &right, &absolute_sum, &srss, &ddc}) archive(*value);
   }
 };
 

@@ -37,9 +37,15 @@ std::vector<LinkSeparation> separations(const Model& model, const Extremes& appr
     const Link& link = model.links[i];
     const int a = link.left.structure, b = link.right.structure;
     const double ua = approach.peak(3 * i), ub = approach.peak(3 * i + 1);
-    LinkSeparation s{
-        link.name,           link.gap, std::max(0.0, approach.max[3 * i + 2]), approach.t_max[3 * i + 2], ua + ub,
-        combined(ua, ub, 0), 0};
+    LinkSeparation s{link.name,
+                     link.gap,
+                     std::max(0.0, approach.max[3 * i + 2]),
+                     approach.t_max[3 * i + 2],
+                     ua,
+                     ub,
+                     ua + ub,
+                     combined(ua, ub, 0),
+                     0};
     // A wall moves with the ground and has no displacement to combine.
     const bool by_wall = model.structures[a].is_rigid() || model.structures[b].is_rigid();
     s.ddc = combined(

@@ -45,13 +45,15 @@ def column_of(column: str, found: Found) -> np.ndarray:
                 )
         structures = found.alone if rest.endswith(".alone") else found.structures
         return _of_structure(structures, quantity, without_suffix(rest))
-    if quantity in OF_GAPS:
-        return np.maximum(0, found.gaps[quantity].max(axis=1, initial=0)) if found.links else np.zeros(_rows(found))
+    if quantity in OF_GAPS and not found.links:
+        return np.zeros(_rows(found))
     if rest and rest not in found.links:
         raise InputError(f'study.keep: unknown link "{rest}"; known: {", ".join(found.links)}')
-    values = found.contacts[quantity]
+    values = (found.gaps if quantity in OF_GAPS else found.contacts)[quantity]
     if rest:
         values = values[:, [i for i, name in enumerate(found.links) if name == rest]]
+    if quantity in OF_GAPS:
+        return np.maximum(0, values.max(axis=1, initial=0))
     if values.shape[1] == 1:
         return values[:, 0]
     if quantity in SUMS:
@@ -80,6 +82,8 @@ def separations(
     squares = left * left + right * right
     return {
         "required_gap": closing,
+        "end_left": left,
+        "end_right": right,
         "gap_abs": left + right,
         "gap_srss": np.sqrt(squares),
         "gap_ddc": np.sqrt(np.maximum(0, squares - 2 * correlation * left * right)),

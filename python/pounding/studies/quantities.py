@@ -19,8 +19,9 @@ from pounding.studies.structure_values import number as _number
 OF_STRUCTURES = structure_values.UNITS
 #: Quantities of all links, or of one as in force.left-right.
 OF_LINKS = {"force": "N", "penetration": "m", "impacts": "", "impulse": "N s", "energy_lost": "J"}
-#: Gaps from the run without links, required and by rules; the largest of all links.
-OF_GAPS = {"required_gap": "m", "gap_abs": "m", "gap_srss": "m", "gap_ddc": "m"}
+#: From the run without links: the required gap, gaps by rules, and the peak displacements of the ends of a link along
+#: it. The largest of all links, or of one as in required_gap.left-right.
+OF_GAPS = {"required_gap": "m", "gap_abs": "m", "gap_srss": "m", "gap_ddc": "m", "end_left": "m", "end_right": "m"}
 UNITS = {**OF_STRUCTURES, **OF_LINKS, **OF_GAPS}
 _EXAMPLES = {
     "rad": "0.005",
@@ -39,6 +40,8 @@ _KEYS = {
     "gap_abs": "abs",
     "gap_srss": "srss",
     "gap_ddc": "ddc",
+    "end_left": "left",
+    "end_right": "right",
 }
 SUMS = ("impacts", "impulse", "energy_lost")
 DEFAULT = ("displacement", "force", "impacts")
@@ -146,8 +149,6 @@ def read_keep(given: Any, without_links: bool, layout: core.Layout, limits: tupl
             for column in structure_values.columns_of(word, structures, f"study.{place}"):
                 columns += [column]
                 columns += [f"{column}.alone", f"{column}.ratio"] if without_links else []
-        elif name and quantity in OF_GAPS:
-            raise InputError(f"study.{place}: {word}: {quantity} is the largest of all links; leave {name} out")
         else:
             _require_links(quantity, name, links, rigid, f"study.{place}")
             columns.append(word)
@@ -237,7 +238,7 @@ def _after_collapse(column: str, value: float, summary: Mapping[str, Any]) -> fl
     collapsed, alone_collapsed = bool(collapse_of(summary)), bool(collapse_of(summary.get("no_pounding") or {}))
     if column.endswith(".ratio"):
         return math.nan if collapsed or alone_collapsed else value
-    is_alone = column.endswith(".alone") or column in OF_GAPS
+    is_alone = column.endswith(".alone") or column.split(".")[0] in OF_GAPS
     return math.inf if (alone_collapsed if is_alone else collapsed) else value
 
 
@@ -246,7 +247,8 @@ def _value(column: str, summary: Mapping[str, Any]) -> float:
     if quantity in OF_STRUCTURES:
         return structure_values.value(column, summary)
     if quantity in OF_GAPS:
-        found = [_number(one[_KEYS[quantity]]) for one in summary["no_pounding"]["separations"]]
+        ends = summary["no_pounding"]["separations"]
+        found = [_number(one[_KEYS[quantity]]) for one in ends if not rest or one["link"] == rest]
         return math.nan if any(map(math.isnan, found)) else max(found, default=0.0)
     links = [one for one in summary["links"] if not rest or one["name"] == rest]
     if rest and not links:

@@ -42,6 +42,8 @@ constexpr Key study_keys[] = {
      "5 %", since},
     {"engine", choice(engines, "engine"), otherwise("auto"),
      "auto uses the kernel for linear structures where possible, else the solver.", "auto", since},
+    {"separation", map(separation), otherwise("all codes, with displacements as computed"),
+     "Codes and their inputs, for pounding separation only.", "{codes: [EN 1998-1], property: line}", since},
 };
 
 constexpr std::string_view spacings[] = {"even", "log"};
@@ -144,9 +146,7 @@ constinit const Section study_file{"study_file", "",
 std::span<const Section* const> sections_of_studies() noexcept {
   using namespace study_tables;
   static constexpr const Section* all[] = {
-      &study_file, &study,         &factor,   &uniform,         &normal,          &lognormal,    &triangular,
-      &discrete,   &sampling,      &records,  &files_by_axis,   &files_of_axis,   &artificial,   &intensity,
-      &suite_file, &suite_records, &scale_to, &target_spectrum, &en1998_spectrum, &asce_spectrum};
+      &study_file, &study, &factor, &uniform, &normal, &lognormal, &triangular, &discrete, &sampling, &records, &files_by_axis, &files_of_axis, &artificial, &intensity, &separation, &behaviour, &suite_file, &suite_records, &scale_to, &target_spectrum, &en1998_spectrum, &asce_spectrum};
   return all;
 }
 

@@ -12,9 +12,9 @@ namespace pounding::keys {
 namespace study_tables {
 
 inline constexpr std::string_view since = "0.2.0";
-/// Records and intensity: study_records.cpp; the others: studies.cpp.
+/// Records and intensity: study_records.cpp; rules of codes: study_separation.cpp; the others: studies.cpp.
 extern const Section study, factor, uniform, normal, lognormal, triangular, discrete, sampling, records, files_by_axis,
-    files_of_axis, artificial, intensity;
+    files_of_axis, artificial, intensity, separation, behaviour;
 /// Records of a suite and their scaling: suite_records.cpp.
 extern const Section suite_records, scale_to, target_spectrum, en1998_spectrum, asce_spectrum;
 
