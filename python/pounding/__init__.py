@@ -46,7 +46,9 @@ if TYPE_CHECKING:
     from pounding.records import record
     from pounding.running import resume, run
     from pounding.runs import Run, read
+    from pounding.screening import screen
     from pounding.spectra import Spectrum, record_spectrum
+    from pounding.studies.separation import separation
     from pounding.studies.study import Study, study, sweep
     from pounding.yielding import Loop, YieldingLaw, hysteresis
 
@@ -84,6 +86,8 @@ __all__ = [
     "record_spectrum",
     "resume",
     "run",
+    "screen",
+    "separation",
     "study",
     "suite",
     "sweep",
@@ -103,7 +107,9 @@ _MODULES = {
     "records": ("record",),
     "running": ("resume", "run"),
     "runs": ("Run", "read"),
+    "screening": ("screen",),
     "spectra": ("Spectrum", "record_spectrum"),
+    "studies.separation": ("separation",),
     "studies.study": ("Study", "study", "sweep"),
     "studies.suite": ("Suite", "suite"),
     "yielding": ("Loop", "YieldingLaw", "hysteresis"),

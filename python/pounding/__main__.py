@@ -16,7 +16,7 @@ from pounding.working_folder import leave_working_folder_out
 PROGRAM = Path(__file__).parent / "bin/pounding"
 MODULES = {"plot": "plots", "animate": "animation", "export": "export"}
 #: Commands that run in this process, also as a worker of mpi4py.futures.
-STUDIES = ("study", "suite", "separation")
+STUDIES = ("study", "suite", "separation", "screen")
 
 
 def main(arguments: list[str] | None = None) -> int:
@@ -52,5 +52,10 @@ def main(arguments: list[str] | None = None) -> int:
     return importlib.import_module(f"pounding.{MODULES[arguments[0]]}").main(arguments[1:])
 
 
+def command() -> int:
+    """The command `pounding` of the wheel: exit codes and closed pipes as those of the program."""
+    return exit_code(main)
+
+
 if __name__ == "__main__":
-    sys.exit(exit_code(main))
+    sys.exit(command())

@@ -1,10 +1,8 @@
-"""`pounding study`, `pounding suite` and `pounding separation`."""
+"""`pounding study`, `pounding suite`, `pounding separation` and `pounding screen`."""
 
 from __future__ import annotations
 
-import argparse
 import errno
-import json
 import signal
 import sys
 import threading
@@ -27,10 +25,11 @@ from pounding.studies import cross_check
 from pounding.studies.batches import Batch, Done
 from pounding.studies.engines import ENGINES, KERNEL, run_batch
 from pounding.studies.execution import available_cores, batch_of
+from pounding.studies.gap_commands import screening, separation
 from pounding.studies.kernel_engine import KernelEngine
+from pounding.studies.options import at_least, shard, show_warning, study_parser, warn
 from pounding.studies.plan import Plan, read_plan
 from pounding.studies.progress import duration_text
-from pounding.studies.command_options import at_least, study_parser
 from pounding.studies.study import Study, records_folder, run_plan
 from pounding.studies.suite_command import suite
 from pounding.studies.table import COPIES, Table, require_room, size_of, size_text
@@ -91,10 +90,8 @@ def main(arguments: list[str] | None = None) -> int:
                 raise InputError(f'"{word}" is not valid UTF-8; rename the file, or run in its folder')
         with warnings.catch_warnings(), _until_terminated():
             warnings.simplefilter("always", ImplausibleWarning)
-            warnings.showwarning = _show_warning
-            if name == "suite":
-                return suite(rest, _warn)
-            return _separation(rest) if name == "separation" else _study(rest)
+            warnings.showwarning = show_warning
+            return {"suite": suite, "separation": separation, "screen": screening}.get(name, _study)(rest)
     except BrokenPipeError:
         raise
     except (InputError, ImportError) as error:
@@ -159,7 +156,7 @@ def _run(words: list[str]) -> int:
     )
     parser.add_argument(
         "--shard",
-        type=_shard,
+        type=shard,
         default=(1, 1),
         metavar="K/N",
         help="run only the K-th of N equal shares of the rows; combine the tables with merge",
@@ -174,7 +171,7 @@ def _run(words: list[str]) -> int:
         # PETSc must not start here, where it would wait for the workers.
         core.run_alone()
     plan = read_plan(options.study, records_folder(output))
-    _warn(plan)
+    warn(plan)
     if options.shard != (1, 1):
         output = output.with_name(f"{output.stem}.{options.shard[0]}-of-{options.shard[1]}{output.suffix}")
     executor: Any = None
@@ -207,7 +204,7 @@ def _check(words: list[str]) -> int:
     parser.add_argument("-j", "--workers", type=at_least(0), help="processes of the study (default: one per core)")
     options = parser.parse_args(words)
     plan = read_plan(options.study, records_folder(_table_name(options.study, None)))
-    _warn(plan)
+    warn(plan)
     records, points, levels = plan.shape
     print(f"{plan.count} rows: {records} records, {points} points of the factors, {levels} levels")
     for factor in plan.points.factors:
@@ -286,24 +283,6 @@ def _merge(words: list[str]) -> int:
     return 0
 
 
-def _separation(words: list[str]) -> int:
-    from pounding.studies.separation import read_separation, run_separation, table_of
-
-    parser = argparse.ArgumentParser(
-        prog="pounding separation", description="Compute the gap required by records and by the rules of codes."
-    )
-    parser.add_argument("model", help="model file, with or without study: {records: ...}")
-    parser.add_argument("--records", nargs="+", help="files of records, or a folder, instead of the model's motion")
-    parser.add_argument("-j", "--workers", type=at_least(0), help="processes (default: one per core)")
-    parser.add_argument("--json", action="store_true", help="print one JSON object")
-    options = parser.parse_args(words)
-    plan = read_separation(options.model, options.records)
-    _warn(plan)
-    found = run_separation(plan, options.workers)
-    print(json.dumps(found) if options.json else table_of(found))
-    return 0
-
-
 def _table_name(study: str, given: str | None) -> Path:
     """The given table, or the name of the study with .h5 in the current folder."""
     if given is None:
@@ -315,22 +294,6 @@ def _table_name(study: str, given: str | None) -> Path:
     if given.endswith("/"):
         destination(given, STUDY)
     return Path(given)
-
-
-def _shard(text: str) -> tuple[int, int]:
-    number, _, count = text.partition("/")
-    if not (number.isdigit() and count.isdigit() and 1 <= int(number) <= int(count)):
-        raise argparse.ArgumentTypeError(f'"{text}" is not a shard; type K/N, as in 3/16')
-    return int(number), int(count)
-
-
-def _warn(plan: Plan) -> None:
-    for doubt in plan.warnings:
-        warnings.warn(doubt, ImplausibleWarning, stacklevel=2)
-
-
-def _show_warning(message: Warning | str, *_: Any, **__: Any) -> None:
-    print(f"warning: {message}", file=sys.stderr)
 
 
 if __name__ == "__main__":

@@ -60,10 +60,9 @@ class GapCurve:
         """Gap that is sufficient for `percent` % of the rows, and its confidence interval by order statistics [m]; a
         bound is infinite if there are too few rows."""
         n = self.independent
-        binom = stats().binom
         tail = (1 - confidence) / 2
-        low = int(binom.ppf(tail, n, percent / 100))
-        high = int(binom.ppf(1 - tail, n, percent / 100)) + 1
+        low = _binomial_quantile(tail, n, percent / 100)
+        high = _binomial_quantile(1 - tail, n, percent / 100) + 1
         return (
             self._at(percent / 100),
             self._at(low / n) if low >= 1 else 0.0,
@@ -86,6 +85,25 @@ def _metres(gap: float | str) -> float:
     if doubt := bare_limit_warning("gap", gap, "m"):
         warnings.warn(doubt, ImplausibleWarning, stacklevel=3)
     return core.quantity(gap, "m") if isinstance(gap, str) else gap
+
+
+def _binomial_quantile(probability: float, count: int, share: float) -> int:
+    """Smallest number of successes whose cumulative probability reaches `probability`, as scipy.stats.binom.ppf."""
+    if share in (0.0, 1.0):
+        return int(count * share)
+    total = 0.0
+    for k in range(count + 1):
+        logarithm = math.lgamma(count + 1) - math.lgamma(k + 1) - math.lgamma(count - k + 1)
+        total += math.exp(logarithm + k * math.log(share) + (count - k) * math.log1p(-share))
+        if total >= probability:
+            return k
+    return count
+
+
+def records_for_band(percent: float, confidence: float = 0.9) -> int:
+    """Number of records from which the upper bound of a percentile is finite: the largest of n records is an upper
+    bound with the probability 1 - p^n."""
+    return math.ceil(math.log((1 - confidence) / 2) / math.log(percent / 100) - 1e-9)
 
 
 def clopper_pearson(exceeded: float, count: int, confidence: float = 0.9) -> tuple[float, float]:

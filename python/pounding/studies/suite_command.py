@@ -6,20 +6,18 @@ import argparse
 import json
 import sys
 import time
-from collections.abc import Callable
 from pathlib import Path
 
 from pounding.checked_file import STUDY
 from pounding.outputs import destination
-from pounding.studies.command_options import add_percentile, at_least
-from pounding.studies.plan import Plan
+from pounding.studies.options import add_percentile, at_least, warn
 from pounding.studies.progress import duration_text
 from pounding.studies.study import records_folder
 from pounding.studies.suite import PERCENTS, read_suite, run_suite
 from pounding.studies.suite_report import report, summary
 
 
-def suite(words: list[str], warn: Callable[[Plan], None]) -> int:
+def suite(words: list[str]) -> int:
     """Runs the command. Returns 0, or 3 if a record failed. Raises InputError, SolverError, OSError."""
     parser = argparse.ArgumentParser(
         prog="pounding suite",

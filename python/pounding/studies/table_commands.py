@@ -10,7 +10,7 @@ import numpy as np
 from pounding.errors import InputError
 from pounding.studies import cross_check
 from pounding.studies.batches import STATUSES, side_by_side
-from pounding.studies.command_options import add_percentile, add_where, study_parser
+from pounding.studies.options import add_percentile, add_where, study_parser
 from pounding.studies.quantities import COLLAPSED_COLUMN, OF_GAPS
 from pounding.studies.reading import shortened
 from pounding.studies.study import Study

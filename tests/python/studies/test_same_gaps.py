@@ -6,7 +6,8 @@ from pathlib import Path
 
 import pounding
 from pounding.errors import InputError
-from pounding.studies.separation import separation, table_of
+from pounding.studies.separation import separation
+from pounding.studies.separation_table import table_of
 from study_samples import bents, blocks, pair, write_records
 from messages import assert_mentions
 
@@ -67,8 +68,12 @@ class SameFile(unittest.TestCase):
                 "records": [{"record": name, **one} for name in names],
                 "mean": one,
                 "required": {},
+                "contact": {},
+                "levels": [],
                 "codes": [],
-                "floors_align": True,
+                "property": "same",
+                "displacements": "nonlinear",
+                "bridges": "",
                 "collapsed": [],
             }
         )

@@ -146,7 +146,10 @@ constinit const Section study_file{"study_file", "",
 std::span<const Section* const> sections_of_studies() noexcept {
   using namespace study_tables;
   static constexpr const Section* all[] = {
-      &study_file, &study, &factor, &uniform, &normal, &lognormal, &triangular, &discrete, &sampling, &records, &files_by_axis, &files_of_axis, &artificial, &intensity, &separation, &behaviour, &suite_file, &suite_records, &scale_to, &target_spectrum, &en1998_spectrum, &asce_spectrum};
+      &study_file, &study,           &factor,          &uniform,      &normal,        &lognormal,
+      &triangular, &discrete,        &sampling,        &records,      &files_by_axis, &files_of_axis,
+      &artificial, &intensity,       &separation,      &behaviour,    &suite_file,    &suite_records,
+      &scale_to,   &target_spectrum, &en1998_spectrum, &asce_spectrum};
   return all;
 }
 

@@ -10,18 +10,20 @@ constexpr Key separation_keys[] = {
     {"codes", text().or_list(), otherwise("all codes"),
      "Codes whose rules are applied; the start of a name is sufficient.", "[EN 1998-1, TBDY 2018]", since},
     {"property", choice(properties, "property"), otherwise("same"),
-     "same: both structures on one property, whose displacements are combined. line: a property line between them, from "
+     "same: both structures on one property, whose displacements are combined. line: a property line between them, "
+     "from "
      "which each is set back.",
      "line", since},
     {"displacements", choice(displacements, "kind of displacements"), otherwise("nonlinear"),
-     "Displacements that the model computes. Those of nonlinear and of elastic structures under unreduced motions are not "
+     "Displacements that the model computes. Those of nonlinear and of elastic structures under unreduced motions are "
+     "not "
      "multiplied by a behaviour factor; reduced ones, from motions divided by it, are.",
      "reduced", since},
     {"floors", choice(floors, "position of floors"), otherwise("from the elevations of the floors"),
      "Position of the floors of neighbours, if the model has no elevations.", "aligned", since},
     {"similar", boolean(), otherwise("false"),
-     "Neighbours of similar structure and height, for which some codes reduce the gap if the floors are aligned.", "true",
-     since},
+     "Neighbours of similar structure and height, for which some codes reduce the gap if the floors are aligned.",
+     "true", since},
     {"behaviour", map(behaviour), otherwise("none"), "Factors of the codes for all structures.",
      "{q: 3, importance: 1}", since},
     {"structures", map(behaviour).named(), otherwise("none"), "Factors of single structures, by name.",
@@ -47,8 +49,8 @@ constexpr Key behaviour_keys[] = {
     factor_key("importance", "Importance factor: ASCE 7, TBDY 2018, NBCC.", "1"),
     factor_key("Z", "Zone factor, in g: E.030.", "0.45"),
     factor_key("S", "Soil factor: E.030, NTC 2018.", "1.05"),
-    {"ag", quantity(dimension::acceleration, bounds::positive), optional,
-     "Peak ground acceleration on rock: NTC 2018.", "0.25 g", since},
+    {"ag", quantity(dimension::acceleration, bounds::positive), optional, "Peak ground acceleration on rock: NTC 2018.",
+     "0.25 g", since},
     {"intensity", integer(6, 9), optional, "Intensity of design: GB 50011.", "8", since},
     {"zone", choice(zones, "zone"), optional, "Zone of the city: NTC-Sismo.", "III", since},
     {"system", choice(systems, "structural system"), optional, "Structural system: GB 50011.", "frame", since},

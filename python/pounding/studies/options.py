@@ -1,11 +1,17 @@
-"""Options of the commands of studies: parsers and types of values."""
+"""Options of the commands of studies: parsers, types of values, and warnings."""
 
 from __future__ import annotations
 
 import argparse
 import math
 import re
+import sys
+import warnings
 from collections.abc import Callable
+from typing import Any
+
+from pounding.errors import ImplausibleWarning
+from pounding.studies.plan import Plan
 
 
 def study_parser(verb: str, meaning: str) -> argparse.ArgumentParser:
@@ -22,6 +28,14 @@ def at_least(least: int) -> Callable[[str], int]:
         return int(text)
 
     return read
+
+
+def shard(text: str) -> tuple[int, int]:
+    """Type for argparse: the number of a share and the number of shares."""
+    number, _, count = text.partition("/")
+    if not (number.isdigit() and count.isdigit() and 1 <= int(number) <= int(count)):
+        raise argparse.ArgumentTypeError(f'"{text}" is not a shard; type K/N, as in 3/16')
+    return int(number), int(count)
 
 
 def percentage(text: str) -> float:
@@ -64,3 +78,14 @@ def add_where(parser: argparse.ArgumentParser) -> None:
         metavar="FACTOR=VALUE",
         help="only rows with this value of a factor, with a unit or a name: gap=20mm, law=hertz; repeatable",
     )
+
+
+def warn(plan: Plan) -> None:
+    """Emits the warnings of a plan."""
+    for doubt in plan.warnings:
+        warnings.warn(doubt, ImplausibleWarning, stacklevel=2)
+
+
+def show_warning(message: Warning | str, *_: Any, **__: Any) -> None:
+    """Prints a warning without its place in the source; a replacement of warnings.showwarning."""
+    print(f"warning: {message}", file=sys.stderr)
