@@ -256,6 +256,53 @@ TEST(ClosedForms, TheHyperbolaHasItsSecantsAndKeepsWhatIsPressedIn) {
               1e-9 * 6e6 * ultimate);
 }
 
+TEST(ClosedForms, ARestrainerIsSlackThenTautThenYieldsAndKeepsTheYieldedElongation) {
+  const Restrainer law{.taut_stiffness = 2e7, .slack = 0.02, .strength = 4e5, .hardening = 0.1};
+  law.check();
+  EXPECT_EQ(law.respond({}, -0.5).force, 0) << "no compression";
+  EXPECT_EQ(law.respond({}, 0.0199).force, 0);
+  EXPECT_EQ(*law.corner({}, 0.03), 0.02);
+  EXPECT_NEAR(law.respond({}, 0.03).force, 2e5, 1e-6);
+  EXPECT_NEAR(law.yield_deformation(), 0.04, 1e-15);
+  EXPECT_EQ(law.yield_force(), 4e5);
+  EXPECT_NEAR(*law.corner(law.advance({}, 0.03), 0.1), 0.04, 1e-15);
+  // Beyond yield by 60 mm with a tenth of the stiffness: 4e5 + 2e6 * 0.06 = 5.2e5 N, of which 26 mm are elastic.
+  EXPECT_NEAR(law.respond({}, 0.1).force, 5.2e5, 1e-6);
+  const auto yielded = law.advance({}, 0.1);
+  EXPECT_NEAR(yielded.yielded, 0.1 - 0.02 - 0.026, 1e-15);
+  EXPECT_NEAR(law.respond(yielded, 0.09).force, 5.2e5 - 2e5, 1e-6);
+  EXPECT_NEAR(*law.corner(yielded, 0), 0.074, 1e-15) << "slack again";
+  const auto slack = law.advance(yielded, -1);
+  EXPECT_EQ(law.respond(slack, 0.0739).force, 0);
+  EXPECT_NEAR(law.respond(slack, 0.1).force, 5.2e5, 1e-6) << "reloads up to the largest force";
+  EXPECT_NEAR(law.respond(slack, 0.11).force, 5.2e5 + 2e4, 1e-6);
+  // Triangle up to yield and trapezium beyond, of which the unloading triangle is returned.
+  const double work = 0.5 * 4e5 * 0.02 + 0.5 * (4e5 + 5.2e5) * 0.06, returned = 0.5 * 5.2e5 * 0.026;
+  EXPECT_NEAR(law.work({}, 0.1), work, 1e-9);
+  EXPECT_NEAR(law.stored(yielded), returned, 1e-9);
+  EXPECT_NEAR(law.lost({}, 0.1), work - returned, 1e-9);
+  const Restrainer elastic{.taut_stiffness = 2e7, .slack = 0.02};
+  elastic.check();
+  EXPECT_NEAR(elastic.respond({}, 5).force, 2e7 * 4.98, 1e-6);
+  EXPECT_TRUE(
+      test::mentions(test::refusal([] {
+                       make_law({.law = "restrainer", .values = {{"stiffness", 1}, {"slack", 0}, {"hardening", 0.1}}});
+                     }),
+                     {"hardening", "strength"}));
+}
+
+TEST(ClosedForms, ASupportLiftsOffWhenItsPreloadIsExhausted) {
+  const Uplift law{.initial_stiffness = 2e8, .preload = 8e5};
+  law.check();
+  EXPECT_NEAR(law.respond({}, -0.01).force, -2e6, 1e-6) << "more compression";
+  EXPECT_NEAR(*law.corner({}, 0.01), 0.004, 1e-18);
+  EXPECT_EQ(law.respond({}, 0.01).force, 8e5);
+  EXPECT_EQ(law.respond({0.02}, 0.01).slope, 0);
+  EXPECT_NEAR(law.work({}, 0.01), 0.5 * 8e5 * 0.004 + 8e5 * 0.006, 1e-9);
+  EXPECT_NEAR(law.work({0.01}, 0), -law.work({}, 0.01), 1e-9);
+  EXPECT_EQ(law.lost({}, 0.01), 0);
+}
+
 TEST(ClosedForms, ATrilinearBackboneGoesThroughItsBreaks) {
   const PeakOriented law{.initial_stiffness = 1e7,
                          .yield_force = 1.5e5,
@@ -307,8 +354,10 @@ TEST(ClosedForms, IsolatorsAreLoopsByTheirOwnWords) {
 TEST(ByName, EveryLawOfTheDesignIsThere) {
   std::string names;
   for (const Entry& entry : catalogue()) names += std::string(entry.name) + " ";
-  EXPECT_EQ(names,
-            "bilinear menegotto_pinto bouc_wen peak_oriented friction_pendulum lead_rubber elastomeric backfill ");
+  EXPECT_EQ(
+      names,
+      "bilinear menegotto_pinto bouc_wen peak_oriented friction_pendulum lead_rubber elastomeric backfill restrainer "
+      "uplift ");
 }
 
 TEST(ByName, WhatIsWrongIsSaidWithWhatToType) {

@@ -14,12 +14,14 @@
 #include <pounding/hysteresis/lead_rubber.hpp>
 #include <pounding/hysteresis/menegotto_pinto.hpp>
 #include <pounding/hysteresis/peak_oriented.hpp>
+#include <pounding/hysteresis/restrainer.hpp>
+#include <pounding/hysteresis/uplift.hpp>
 
 namespace pounding::hysteresis {
 
 /// Any law of this library.
-using AnyLaw =
-    std::variant<Bilinear, MenegottoPinto, BoucWen, PeakOriented, FrictionPendulum, LeadRubber, Elastomeric, Backfill>;
+using AnyLaw = std::variant<Bilinear, MenegottoPinto, BoucWen, PeakOriented, FrictionPendulum, LeadRubber, Elastomeric,
+                            Backfill, Restrainer, Uplift>;
 
 /// Their catalogue.
 using Laws = laws::Catalogue<Settings, Entry, AnyLaw>;

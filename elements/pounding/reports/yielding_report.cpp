@@ -173,7 +173,7 @@ std::vector<YieldingFacts> yielding_facts(const Structure& s) {
     facts.is_hinge = part.kind == YieldingPart::Kind::hinge;
     if (!std::isnan(part.parameter("member_stiffness"))) facts.law = "rigid-plastic";
     facts.deformation = part.spring->yield_deformation();
-    facts.force = facts.stiffness * facts.deformation;
+    facts.force = part.spring->yield_force();
     facts.hardening = (part.is_device() ? 0 : 1) + slope_far_behind_yield(*part.spring) / facts.stiffness;
     facts.at_rest = std::abs(part.at_rest) / facts.deformation;
     facts.end_stiffness = part.parameter("end_stiffness");

@@ -40,6 +40,7 @@ class DeviceSpring final : public Spring {
   double yields_towards(double way) const noexcept override {
     return yielding_ ? yielding_->yields_towards(way) : Spring::yield_deformation();
   }
+  double yield_force() const noexcept override { return yielding_ ? yielding_->yield_force() : Spring::yield_force(); }
   std::optional<double> corner(double deformation) const noexcept override {
     return yielding_ ? yielding_->corner(deformation) : std::nullopt;
   }

@@ -31,11 +31,19 @@ class HystereticSpring : public Spring {
     else
       return law_.yield_deformation();
   }
+  double yield_force() const noexcept override {
+    if constexpr (requires { law_.yield_force(); })
+      return law_.yield_force();
+    else
+      return Spring::yield_force();
+  }
   std::optional<double> corner(double deformation) const noexcept override { return law_.corner(kept_, deformation); }
   /// Evaluates the slope after the reversal: it differs from k where an elastically unloaded force reloads on a curve.
   double slope_lost(double deformation) const noexcept override {
-    const double back =
-        deformation + std::copysign(turned_part * law_.yield_deformation(), kept_.deformation - deformation);
+    const double yield = law_.yield_deformation();
+    // A law without yield has no such scale; the reversal is then relative to the path.
+    const double scale = std::isfinite(yield) ? yield : std::abs(kept_.deformation - deformation);
+    const double back = deformation + std::copysign(turned_part * scale, kept_.deformation - deformation);
     return hysteresis::excess(law_, law_.advance(kept_, deformation), back).slope -
            hysteresis::excess(law_, kept_, deformation).slope;
   }

@@ -24,7 +24,8 @@ class Spring {
   virtual laws::Response evaluate_slowly(double deformation) const noexcept { return evaluate({deformation, 0}); }
   /// k [N/m].
   virtual double stiffness() const noexcept { return 0; }
-  /// Initial slope of evaluate(): the stiffness that the stiffness matrix does not contain [N/m].
+  /// Initial slope of evaluate(), of a slack cable when taut: the stiffness that the stiffness matrix does not contain
+  /// [N/m].
   virtual double first_slope() const noexcept { return 0; }
   /// Range of deformations in which, on any path from the last accepted state, only the deformation changes and the
   /// force of evaluate() is bitwise constant. `nullopt` if there is none.
@@ -45,6 +46,8 @@ class Spring {
   /// Decrease of the slope from unloading to loading: the slope after a reversal at the end of the straight path to
   /// this deformation, minus that before it [N/m].
   virtual double slope_lost(double deformation) const noexcept { return -evaluate({deformation, 0}).by_penetration; }
+  /// Force at first yield [N].
+  virtual double yield_force() const noexcept { return (stiffness() + first_slope()) * yield_deformation(); }
   /// True if the force also depends on the rate, so that its corners are reported by bend() and not by corner().
   virtual bool bends_with_rate() const noexcept { return false; }
   /// First corner of such a force on a path from the last accepted state, from 0 to 1; `nullopt` if there is none.

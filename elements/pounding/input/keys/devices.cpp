@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 #include <fmt/format.h>
@@ -48,6 +49,7 @@ struct OfDevices : YieldingKeys {
     for (const auto& parameter : L::parameters) {
       Key& spec = own.emplace_back(key_of(parameter, made));
       if (parameter.info.unit == "N/m") spec.example = kept(fmt::format("{:g} MN/m", parameter.info.typical / 1e6));
+      if (parameter.info.name == "slack") spec.example = "20 mm";
       if (spec.need == Need::required) example.add(spec);
     }
     add_choices(made, own);
@@ -71,10 +73,11 @@ const OfDevices& devices() {
   static const OfDevices all = [] {
     OfDevices made;
     EachLaw<hysteresis::AnyLaw>::visit([&made]<class L>(const L& law) {
-      // Only symmetric laws with a stiffness apply to devices.
+      // Symmetric laws with a stiffness apply to devices, and restrainers.
       const bool has_stiffness =
           std::ranges::any_of(L::parameters, [](const auto& parameter) { return parameter.info.name == "stiffness"; });
-      if (has_stiffness && hysteresis::Entry::of<L>().is_symmetric) made.add(law);
+      if ((has_stiffness && hysteresis::Entry::of<L>().is_symmetric) || std::is_same_v<L, hysteresis::Restrainer>)
+        made.add(law);
     });
     made.between.push_back(damper_key);
     made.within.push_back(damper_key);

@@ -87,8 +87,8 @@ std::string names_of(const Model& model, const std::vector<int>& structures) {
   return text;
 }
 
-// Stiffness of a device before yield; zero for a damper, in slow motion.
-double first_stiffness(const Device& device) { return device.member->first_slope(); }
+// Stiffness of a device at rest; zero for a damper, in slow motion, and for a slack cable.
+double first_stiffness(const Device& device) { return device.member->evaluate_slowly(0).by_penetration; }
 
 // Motion of an end along the device in terms of the unknowns of all joined structures, from this one on.
 void add_motion(const LinkEnd& end, const Eigen::Vector3d& direction, int first, Eigen::SparseVector<double>& row) {
@@ -189,9 +189,12 @@ std::string describe(const DeviceParts& parts) {
   if (parts.bar) text += "bar " + format_quantity(parts.bar->stiffness, dimension::stiffness, 6);
   if (parts.law) {
     const DeviceSpring spring({.law = parts.law});
-    const double k = spring.first_slope();
-    text += fmt::format("{} {}, yields at {}", parts.law->law, format_quantity(k, dimension::stiffness, 6),
-                        format_quantity(spring.yield_deformation() * k, dimension::force, 6));
+    text += fmt::format("{} {}", parts.law->law, format_quantity(spring.first_slope(), dimension::stiffness, 6));
+    if (const auto slack = parts.law->values.find("slack"); slack != parts.law->values.end())
+      text += " with a slack of " + format_quantity(slack->second, dimension::length, 6);
+    text += std::isfinite(spring.yield_force())
+                ? ", yields at " + format_quantity(spring.yield_force(), dimension::force, 6)
+                : ", elastic";
   }
   if (!parts.damper) return text;
   const Damper& damper = *parts.damper;
