@@ -101,7 +101,15 @@ class Arrivals {
         ends.emplace_back(end, static_cast<std::size_t>(same - positions.begin()));
         if (same == positions.end()) positions.push_back(*position);
       }
-    if (positions.empty()) return;
+    if (positions.empty()) {
+      if (std::ranges::any_of(
+              all, [&](const Meeting& one) { return one.left->structure == wall || one.right->structure == wall; }))
+        throw ModelError(ModelOption::wave, wall,
+                         fmt::format("{} is a wall that is connected only to walls, so the wave has no position at "
+                                     "which it arrives there; give it its own ground_motion",
+                                     structures_[wall].name));
+      return;
+    }
     std::vector<Support>& supports = structures_[wall].supports;
     supports.assign(positions.size(), supports.front());
     const int rows = 3 * static_cast<int>(positions.size());

@@ -255,8 +255,6 @@ std::vector<LinkPair> pairs_of(const Model& model, const ContactLocation& left, 
   }
   complete(first, a, ModelOption::left);
   complete(second, b, ModelOption::right);
-  if (a.is_rigid() && b.is_rigid())
-    refuse(ModelOption::between, "both ends are walls; one of them must be able to move");
   return {{first, second}};
 }
 
