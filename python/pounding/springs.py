@@ -15,6 +15,7 @@ from pounding.texts import read_fields, texts
 #: Names of storeys and hinges, and of isolators: all of a building, or one at a foot of a frame.
 _OF_MEMBERS = re.compile(r"storey \d+|.+ (start|end)( [yz])?")
 _HINGES = re.compile(r".+ (start|end)( [yz])?")
+_SUPPORTS = re.compile(r"support \S+")
 _ISOLATORS = re.compile(r"isolators|isolator \S+( [xy])?")
 
 
@@ -43,8 +44,8 @@ class Springs(printing.ReportLines, lines=printing.springs):
         return len(self.names)
 
     def is_device(self, part: int) -> bool:
-        """True if a part is a device, neither a storey, a hinge nor an isolator."""
-        return not _OF_MEMBERS.fullmatch(self.names[part]) and not self.isolates(part)
+        """True if a part is a device, neither a storey, a hinge, an isolator nor a support."""
+        return not _OF_MEMBERS.fullmatch(self.names[part]) and not self.isolates(part) and not self.lifts_off(part)
 
     def is_hinge(self, part: int) -> bool:
         """True if a part is a hinge at the end of a member."""
@@ -53,6 +54,10 @@ class Springs(printing.ReportLines, lines=printing.springs):
     def isolates(self, part: int) -> bool:
         """True if a part is an isolator."""
         return _ISOLATORS.fullmatch(self.names[part]) is not None
+
+    def lifts_off(self, part: int) -> bool:
+        """True if a part is a support that acts in compression only."""
+        return self.laws[part] == "uplift" and _SUPPORTS.fullmatch(self.names[part]) is not None
 
     def number(self, name: str) -> int:
         """Index of a part by name. Raises KeyError that lists the names."""

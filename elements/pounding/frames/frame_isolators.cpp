@@ -116,8 +116,10 @@ void require_elastic_at_rest(const FrameModel& model, const FrameIsolator& isola
                               kilonewtons(spring.stiffness() * yield), model.frame.node_name(isolator.node)));
 }
 
-// Reaction of the ground to the force of an isolator in addition to k d.
-void add_to_reactions(const FrameModel& model, const Frame::Reactions& reactions, int first_part, Structure& s) {
+}  // namespace
+
+void add_part_reactions(const FrameModel& model, const Frame::Reactions& reactions,
+                        const std::vector<std::pair<int, Dof>>& springs, int first_part, Structure& s) {
   const int total = static_cast<int>(s.yielding.size());
   if (s.yielding_flexibility.size() > 0) s.yielding_flexibility.conservativeResize(total, total);
   for (Floor& floor : s.floors)
@@ -129,16 +131,14 @@ void add_to_reactions(const FrameModel& model, const Frame::Reactions& reactions
     all.conservativeResize(s.forces.rows.rows(), total);
   const auto dofs = dofs_of(model.frame.dimension());
   const int first = static_cast<int>(s.forces.rows.rows() - reactions.at_rest.size());
-  for (std::size_t i = 0; i < model.isolators.size(); ++i) {
-    const auto node = std::ranges::find(reactions.nodes, model.isolators[i].node) - reactions.nodes.begin();
-    const auto along = std::ranges::find(dofs, model.isolators[i].along) - dofs.begin();
+  for (std::size_t i = 0; i < springs.size(); ++i) {
+    const auto node = std::ranges::find(reactions.nodes, springs[i].first) - reactions.nodes.begin();
+    const auto along = std::ranges::find(dofs, springs[i].second) - dofs.begin();
     all.coeffRef(first + static_cast<int>(node * static_cast<std::ptrdiff_t>(dofs.size()) + along),
                  first_part + static_cast<int>(i)) = -1;
   }
   all.makeCompressed();
 }
-
-}  // namespace
 
 void place_isolators(FrameModel& model) {
   if (model.isolators.empty()) return;
@@ -164,6 +164,7 @@ void let_isolators_yield(const FrameModel& model, const AssembledFrame& frame, c
                          Structure& s) {
   if (model.isolators.empty()) return;
   const int first = static_cast<int>(s.yielding.size());
+  std::vector<std::pair<int, Dof>> springs;
   for (const FrameIsolator& isolator : model.isolators) {
     Row deformation = frame.motion(isolator.node, isolator.along);
     require_mass(model, isolator, frame, deformation);
@@ -172,8 +173,9 @@ void let_isolators_yield(const FrameModel& model, const AssembledFrame& frame, c
         s.yielding.emplace_back(make_isolator(name_of(model, isolator), std::move(deformation), isolator.options, 0));
     part.at_rest = at_rest;
     require_elastic_at_rest(model, isolator, part);
+    springs.emplace_back(isolator.node, isolator.along);
   }
-  add_to_reactions(model, reactions, first, s);
+  add_part_reactions(model, reactions, springs, first, s);
 }
 
 }  // namespace pounding

@@ -36,6 +36,12 @@ struct FrameIsolator {
   IsolatorOptions options{};
 };
 
+/// A spring between the ground and a node along uz that acts in compression only.
+struct FrameUplift {
+  int node = 0;
+  double stiffness = 0;  ///< > 0 [N/m]
+};
+
 /// Effect of the displacements of a frame on its stiffness.
 enum class FrameGeometry {
   linear,       ///< none
@@ -51,6 +57,7 @@ struct FrameModel {
   /// move together; they may be given here as well, as the first item without a name.
   std::vector<FrameSupport> supports{};
   std::vector<FrameIsolator> isolators{};
+  std::vector<FrameUplift> uplifts{};
   std::optional<std::vector<int>> reported_nodes{};  ///< default: all nodes of a frame with at most 100 nodes
   std::vector<int> reported_members{};
   FrameGeometry geometry = FrameGeometry::linear;

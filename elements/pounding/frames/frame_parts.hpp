@@ -1,6 +1,7 @@
 #pragma once
 /// Steps from a FrameModel to a Structure: supports, floors, hinges and isolators.
 
+#include <utility>
 #include <vector>
 
 #include <pounding/frames/frame.hpp>
@@ -53,6 +54,22 @@ void place_isolators(FrameModel& model);
 /// node and for an isolator that yields at rest.
 void let_isolators_yield(const FrameModel& model, const AssembledFrame& frame, const Frame::Reactions& reactions,
                          Structure& s);
+
+/// Adds the springs that act in compression only to a model before complete(), as ordinary springs: at rest they are
+/// compressed. Throws std::invalid_argument, starting with "support NAME: ", for a free or corotational frame, and
+/// without gravity or loads.
+void place_uplifts(FrameModel& model);
+
+/// Makes these springs lift off when their compression at rest is exhausted, in a structure with known state at rest,
+/// internal forces, hinges and isolators. Throws std::invalid_argument, starting with "support NAME: ", for a spring
+/// without compression at rest, a massless node, and supports with different motions.
+void let_supports_uplift(const FrameModel& model, const AssembledFrame& frame, const Frame::Reactions& reactions,
+                         Structure& s);
+
+/// Adds to the reactions of the ground the forces of the last parts in addition to k d. Each part from `first_part` on
+/// is a spring between the ground and a displacement of a node.
+void add_part_reactions(const FrameModel& model, const Frame::Reactions& reactions,
+                        const std::vector<std::pair<int, Dof>>& springs, int first_part, Structure& s);
 
 /// Fraction of its elastic stiffness that a hinge without hardening retains at such a joint, which would otherwise
 /// rotate freely. Moments increase by this fraction of the ductility.

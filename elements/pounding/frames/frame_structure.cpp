@@ -227,6 +227,7 @@ Geometry make_geometry(const FrameModel& model) {
 }  // namespace
 
 Structure make_structure(FrameModel given) {
+  place_uplifts(given);
   complete(given);
   given.check_geometry();
   place_isolators(given);
@@ -271,6 +272,7 @@ Structure make_structure(FrameModel given) {
   let_hinges_yield(*model, *frame, reactions, model->is_free ? std::vector<std::vector<bool>>() : storey_cuts(*model),
                    s);
   let_isolators_yield(*model, *frame, reactions, s);
+  let_supports_uplift(*model, *frame, reactions, s);
   if (!model->is_free)
     s.supports_along = [model, frame, forces = s.forces, reactions](const Vector3d& direction) {
       const std::vector<FrameSupport> apart = apart_along(*model, direction);
@@ -278,10 +280,10 @@ Structure make_structure(FrameModel given) {
         throw std::invalid_argument(
             "a wave moves the supports of a frame at different times, but geometry: corotational needs the same motion "
             "at all supports; type geometry: p_delta");
-      if (!(model->frame.hinges().empty() && model->isolators.empty()) && apart.size() > 1)
+      if (!(model->frame.hinges().empty() && model->isolators.empty() && model->uplifts.empty()) && apart.size() > 1)
         throw std::invalid_argument(
-            "a wave moves the supports of a frame at different times, but a frame with hinges or isolators needs the "
-            "same motion at all supports; remove the wave, or the hinges and isolators");
+            "a wave moves the supports of a frame at different times, but a frame with hinges, isolators or springs "
+            "that lift off needs the same motion at all supports; remove the wave, or these parts");
       return make_supports(*model, *frame, apart, forces, reactions);
     };
   s.geometry = make_geometry(*model);

@@ -62,6 +62,20 @@ void emit_isolators(YAML::Emitter& out, const Structure& s) {
   if (const double period = isolated_period(s); std::isfinite(period)) emit(out, "isolated_period", period);
 }
 
+// Springs that act in compression only.
+void emit_uplifts(YAML::Emitter& out, const std::vector<YieldingPart>& parts) {
+  const auto lifts = [](const YieldingPart& part) { return part.kind == YieldingPart::Kind::support; };
+  if (std::ranges::none_of(parts, lifts)) return;
+  field(out, "uplift") << YAML::BeginMap;
+  for (const YieldingPart& part : parts) {
+    if (!lifts(part)) continue;
+    out << YAML::Key << part.name << YAML::Value << YAML::Flow << YAML::BeginMap;
+    for (const YieldingPart::Parameter& parameter : part.parameters) emit(out, parameter.name, parameter.value);
+    out << YAML::EndMap;
+  }
+  out << YAML::EndMap;
+}
+
 // Law, parameters and static moment of each hinge.
 void emit_hinges(YAML::Emitter& out, const std::vector<YieldingPart>& parts) {
   const auto is_hinge = [](const YieldingPart& part) { return part.kind == YieldingPart::Kind::hinge; };
@@ -172,6 +186,7 @@ void emit_structure(YAML::Emitter& out, const Structure& s) {
     else
       emit_frame(out, s);
     emit_devices(out, s);
+    emit_uplifts(out, s.yielding);
     field(out, "damping") << s.damping_note;
     if (s.dimension > 1) {
       emit(out, "damping_by_mass", s.by_mass);
@@ -242,6 +257,7 @@ void emit_link(YAML::Emitter& out, const Model& model, const Link& link) {
                               << YAML::EndSeq;
   }
   if (link.preload) field(out, "preload") << true;
+  if (link.seat) emit(out, "seat", *link.seat);
   field(out, "law") << link.law;
   if (!link.formula.empty()) field(out, "formula") << link.formula;
   emit(out, "reduced_mass", link.reduced_mass);

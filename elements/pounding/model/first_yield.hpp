@@ -24,10 +24,10 @@ inline std::optional<double> yields_before(const Spring& spring, double deformat
   return corner ? std::optional(std::max(weaker, std::abs(*corner))) : std::nullopt;
 }
 
-/// Drift of a storey or an isolator, "12 mm", or rotation in a frame, "0.0012 rad".
+/// Drift of a storey, an isolator or a support, "12 mm", or rotation in a frame, "0.0012 rad".
 inline std::string deformation_text(const Structure& s, const YieldingPart& part, double deformation) {
-  return s.dimension == 1 || isolates(part) ? format_quantity(deformation, dimension::length)
-                                            : fmt::format("{:.4g} rad", deformation);
+  return s.dimension == 1 || part.kind != YieldingPart::Kind::hinge ? format_quantity(deformation, dimension::length)
+                                                                    : fmt::format("{:.4g} rad", deformation);
 }
 
 }  // namespace pounding

@@ -28,7 +28,7 @@ using Row = Eigen::SparseVector<double>;
 /// a device between two points, which K does not contain.
 struct YieldingPart {
   /// The stiffness of a device is additional to K; that of the others is contained in K.
-  enum class Kind { storey, hinge, isolator, device };
+  enum class Kind { storey, hinge, isolator, device, support };
   /// A parameter of the law, for reports.
   struct Parameter {
     std::string name;  ///< the input key: "yield_force"

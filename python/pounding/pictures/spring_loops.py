@@ -126,6 +126,8 @@ def draw_loop(axes: Axes, structure: Structure, part: int, colour: str) -> None:
         if is_device
         else ("Force", "Deformation [mm]")
         if isolates
+        else ("Force", "Upward displacement [mm]")
+        if springs.lifts_off(part)
         else ("Shear", "Drift [mm]")
     )
     axes.set_title(f"{structure.name}, {name}")

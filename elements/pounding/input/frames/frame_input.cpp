@@ -82,12 +82,24 @@ class FrameReader {
     const Dof dof = parts_.keys().dof(node.at("dof"));
     const auto stiffness = node.find("stiffness"), damping = node.find("damping");
     if (!stiffness && !damping) node.fail("stiffness and damping are missing; type stiffness: 1 MN/m");
+    const auto acts_in = node.find("acts_in");
+    const bool lifts = acts_in && acts_in->as_choice() == "compression";
+    if (lifts && (between || dof != Dof::uz || !stiffness))
+      acts_in->fail_at_key(
+          "applies to a spring between the ground and a node along uz, as in {node: a, dof: uz, stiffness: 200 MN/m, "
+          "acts_in: compression}");
     const double k = stiffness ? stiffness->as_quantity(of_spring(dof)) : 0;
+    if (lifts && !(k > 0)) stiffness->fail("must be positive for a spring that acts in compression");
     const double c = damping ? damping->as_quantity(of_dashpot(dof)) : 0;
     if (at) {
       const int a = parts_.node_of(*at);
       return placed(node, [&] {
-        if (stiffness) model_.frame.add_spring(a, dof, k);
+        if (lifts) {
+          model_.uplifts.push_back({a, k});
+          parts_.frame.uplift_locations.push_back(node);
+        } else if (stiffness) {
+          model_.frame.add_spring(a, dof, k);
+        }
         if (damping) model_.frame.add_dashpot(a, dof, c);
       });
     }
@@ -273,7 +285,7 @@ class FrameReader {
   std::vector<FloorLocation> floor_locations_;
 };
 
-// Fails at the hinge, isolator, node or member with which the message begins, else at the frame.
+// Fails at the hinge, isolator, spring, node or member with which the message begins, else at the frame.
 [[noreturn]] void fail_at_part(const std::string& refusal, const FrameInput& from, const Input& body) {
   const Frame& frame = from.model.frame;
   for (std::size_t hinge = 0; hinge < from.hinge_locations.size(); ++hinge)
@@ -283,6 +295,9 @@ class FrameReader {
     const std::string name = "isolator " + frame.node_name(from.model.isolators[i].node);
     if (refusal.starts_with(name + ": ") || refusal.starts_with(name + " ")) from.isolator_locations[i].fail(refusal);
   }
+  for (std::size_t i = 0; i < from.uplift_locations.size(); ++i)
+    if (refusal.starts_with(fmt::format("support {}: ", frame.node_name(from.model.uplifts[i].node))))
+      from.uplift_locations[i].fail(refusal);
   for (int node = 0; node < frame.nodes(); ++node)
     if (refusal.starts_with(fmt::format("node {}: ", frame.node_name(node)))) from.node_locations[node].fail(refusal);
   for (int member = 0; member < frame.members(); ++member)

@@ -13,7 +13,7 @@ namespace pounding {
 /// A frame as read, with the locations of its nodes, members, hinges and isolators in the file.
 struct FrameInput {
   FrameModel model;
-  std::vector<Input> node_locations, member_locations, hinge_locations, isolator_locations;
+  std::vector<Input> node_locations, member_locations, hinge_locations, isolator_locations, uplift_locations;
 };
 
 /// Reads and checks everything that does not need matrices. Throws InputError with the location.

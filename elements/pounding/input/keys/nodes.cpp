@@ -55,6 +55,8 @@ constexpr Key support_keys[] = {
      "{harmonic: {amplitude: 3 m/s^2, period: 0.6 s, duration: 3 s}}"},
 };
 
+constexpr std::string_view directions_of_springs[] = {"both", "compression"};
+
 constexpr Key spring_keys[] = {
     {"node", text(), exactly_one, "Node of a spring or dashpot to the ground.", "b"},
     {"between", text().list(2), exactly_one, "The two nodes that a spring or dashpot connects.", "[b, c]"},
@@ -64,6 +66,10 @@ constexpr Key spring_keys[] = {
      "Spring stiffness; on a rotation, moment per radian.", "1 MN/m"},
     {"damping", quantity(dimension::damping, bounds::non_negative).or_rotation(turning_damping).in("N s/m or N m s"),
      at_least_one, "Dashpot coefficient: force per velocity.", "100 kN s/m"},
+    {"acts_in", choice(directions_of_springs, "direction"), otherwise("both"),
+     "compression: the spring supports its node along uz and lifts off when its compression at rest is exhausted; it "
+     "needs a mass at the node and gravity or loads. A dashpot acts in both directions.",
+     "compression", "0.3.0"},
 };
 
 constexpr Key tie_keys[] = {
