@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Iterable
 from typing import Any
 
@@ -110,9 +111,17 @@ def link(one: Any) -> list[str]:
     return [
         f"{one.name}: {one.law}, gap {1e3 * one.gap:.4g} mm, {left} against {right}",
         f"largest force {peak(one.force)} N, penetration {max(0.0, _largest(one.penetration)):.4g} m, work "
-        f"{one.energy[-1] if one.energy.size else 0.0:.4g} J",
+        f"{one.energy[-1] if one.energy.size else 0.0:.4g} J{_opening(one)}",
         f"{counted(one.time.size, 'sample')} {span}",
     ]
+
+
+def _opening(one: Any) -> str:
+    """Largest opening and seat; empty for files of earlier versions."""
+    if math.isnan(one.largest_opening):
+        return ""
+    seat = "" if math.isnan(one.seat) else f" of a seat of {1e3 * one.seat:.4g} mm"
+    return f", opening {1e3 * one.largest_opening:.4g} mm{seat}"
 
 
 def springs(parts: Any) -> list[str]:

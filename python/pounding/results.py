@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import math
 import shutil
 from dataclasses import dataclass, field
 from os import PathLike
@@ -193,6 +194,16 @@ class Link(printing.ReportLines, lines=printing.link):
     left_end: str = ""  #: "floor 3", "node b", "10.5 m up"
     right_end: str = ""
     friction: np.ndarray | None = None  #: [time, 1 or 2] along the contact [N]; None without friction
+    #: Largest relative displacement that opens the joint, from the undeformed state [m], and its time [s]; NaN in files
+    #: of earlier versions.
+    largest_opening: float = math.nan
+    t_opening: float = math.nan
+    seat: float = math.nan  #: length of the seat [m]; NaN for none
+
+    @property
+    def unseated(self) -> bool:
+        """True if the opening exceeds the seat."""
+        return self.largest_opening > self.seat
 
 
 @dataclass(frozen=True, repr=False)

@@ -92,6 +92,7 @@ Input location_of(const ModelError& error, const Input& link, const Input& betwe
     case ModelOption::friction: return at("friction");
     case ModelOption::sliding_velocity: return at("sliding_velocity");
     case ModelOption::reduced_mass: return at("reduced_mass");
+    case ModelOption::seat: return at("seat");
     case ModelOption::law: return location_of_law(error.what(), link);
     default: return link;
   }
@@ -108,6 +109,7 @@ LinkOptions read_options(const Input& node, int count, bool is_drawn) {
   options.friction = node.find_quantity("friction");
   options.sliding_velocity = node.find_quantity("sliding_velocity");
   options.reduced_mass = node.find_quantity("reduced_mass");
+  options.seat = node.find_quantity("seat");
   return options;
 }
 

@@ -79,6 +79,8 @@ void check_options(const LinkOptions& options, const ContactLaw& law, bool is_dr
   if (options.reduced_mass && law.reduced_mass() > 0)
     refuse(ModelOption::reduced_mass,
            "the reduced mass is given twice, by the law and by the link; keep one of the two");
+  if (options.seat && !(*options.seat > 0 && std::isfinite(*options.seat)))
+    refuse(ModelOption::seat, "seat must be positive and finite");
   if (options.level_within && !options.floors && !is_drawn)
     refuse_idle(ModelOption::level_within, "applies only to floors: all, level or any, and to drawn ends; remove it");
   if (options.sliding_velocity && !options.friction)
@@ -209,6 +211,9 @@ void Model::link(const ContactLocation& left, const ContactLocation& right, cons
   require_open();
   const std::vector<LinkPair> pairs = pairs_of(*this, left, right, options.floors, options.level_within);
   const Structure &a = structures[left.structure], &b = structures[right.structure];
+  if (a.is_rigid() && b.is_rigid())
+    refuse(ModelOption::between,
+           "both ends are walls, and a link needs a structure that can move; connect walls by a device");
   const Side side = facing_side(a, b);
   const bool is_drawn = are_drawn(a, b);
   check_options(options, law, is_drawn);
@@ -231,6 +236,7 @@ void Model::link(const ContactLocation& left, const ContactLocation& right, cons
       require_inertia(link.right, b, side, ModelOption::right);
       link.direction = outward(side);
       link.preload = gaps[i] && *gaps[i] < 0;
+      link.seat = options.seat;
       set_faces(link, left, right, a, b, side, is_drawn);
       link.gap = is_drawn && !link.preload ? drawn_gap(*this, link.left, link.right, side, gaps[i],
                                                        level_of_ends(link.left, link.right, a, b, options.level_within))

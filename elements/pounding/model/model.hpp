@@ -49,6 +49,7 @@ struct Link {
   Eigen::Vector3d direction = Eigen::Vector3d::UnitX();  ///< from left to right
   double gap = 0;                                        ///< [m]
   bool preload = false;                                  ///< closed at the start
+  std::optional<double> seat{};                          ///< see LinkOptions::seat [m]
   std::string law, formula;
   double reduced_mass = 0;  ///< used to calibrate the damping [kg]
   bool reduced_mass_given = false;
@@ -182,6 +183,9 @@ struct LinkOptions {
   std::optional<int> points{};
   std::optional<double> friction{};          ///< Coulomb coefficient >= 0; only for frames and for laws with a force
   std::optional<double> sliding_velocity{};  ///< regularisation velocity of the friction [m/s]; default: 5 mm/s
+  /// Length of the seat that supports one end on the other [m]: the run warns if the joint opens by more, from its
+  /// width in the undeformed state. It has no effect on forces.
+  std::optional<double> seat{};
   /// Mass for calibrating the damping [kg]; default: that of the law, otherwise that of the masses at the two ends.
   std::optional<double> reduced_mass{};
   /// Estimates the stiffness of the law from the masses at the two ends, instead of the stiffness in the law.

@@ -35,6 +35,7 @@ enum class ModelOption {
   level_within,
   gap,
   preload,
+  seat,
   link_name,
   points,
   friction,

@@ -135,6 +135,7 @@ std::string describe(const Model& model) {
     text += faces_of(link);
     text += heights_of(model, link);
     if (link.preload) text += ", preloaded";
+    if (link.seat) text += fmt::format(", seat {:.6g} mm", 1e3 * *link.seat);
     if (link.reduced_mass > 0)
       text += fmt::format(", reduced mass {:.6g} t {}", link.reduced_mass / 1e3,
                           link.reduced_mass_given ? "(as given)" : "(of the two ends)");

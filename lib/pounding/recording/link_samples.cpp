@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <limits>
 #include <span>
 
 #include <pounding/recording/histories.hpp>
@@ -50,6 +51,7 @@ LinkHistory heading(const Link& link, const Model& model) {
   LinkHistory history;
   history.name = link.name;
   history.gap = link.gap;
+  history.seat = link.seat.value_or(std::numeric_limits<double>::quiet_NaN());
   history.law = link.law;
   history.left = {model.structures[link.left.structure].name, link.left.floor + 1, link.left.label};
   history.right = {model.structures[link.right.structure].name, link.right.floor + 1, link.right.label};
@@ -139,6 +141,8 @@ LinkSamples::LinkSamples(const Model& model, const Stepper& stepper, std::vector
   if (stepper.system().contact_count() == 0) return;
   for (const Link& link : model.links) histories_.push_back(heading(link, model));
   impacts_.resize(model.links.size());
+  openings_ = Extremes(model.links.size());
+  gaps_.resize(model.links.size());
   first_tangent_.assign(model.links.size(), -1);
   for (const Friction& friction : stepper.system().frictions) {
     histories_[friction.contact].tangents = friction.count;
@@ -206,10 +210,23 @@ void LinkSamples::add_inside(std::size_t link, const LinkStep& step, const Conta
   add_half(0.5, step.force_middle, 1, step.force_end);
 }
 
+void LinkSamples::begin() {
+  for (std::size_t i = 0; i < gaps_.size(); ++i) gaps_[i] = -model_.links[i].contact->penetration(0);
+}
+
+// The opening is the negative approach of the two ends: approach = penetration + gap.
+void LinkSamples::record_opening(std::size_t link, const LinkStep& step) {
+  const LinkMotion &begin = step.motion_begin, &end = step.motion_end;
+  openings_.update(link, step.begin, step.end - step.begin, -begin.penetration - gaps_[link], -begin.rate,
+                   -end.penetration - gaps_[link], -end.rate);
+  gaps_[link] = -model_.links[link].contact->penetration(0);
+}
+
 void LinkSamples::step(bool output_due) {
   for (std::size_t i = 0; i < impacts_.size(); ++i) {
     const Contact& contact = *model_.links[i].contact;
     const LinkStep& step = stepper_.link_step(static_cast<int>(i));
+    record_opening(i, step);
     const std::span<const ImpactRow> rows = contact.impacts();
     const bool begun = !rows.empty();
     const bool presses = begun && std::isnan(rows.back().t_end);
@@ -233,10 +250,19 @@ void LinkSamples::step(bool output_due) {
 }
 
 void LinkSamples::end() {
+  show_openings();
   for (std::size_t i = 0; i < impacts_.size(); ++i) impacts_[i].finish(histories_[i]);
 }
 
+void LinkSamples::show_openings() {
+  for (std::size_t i = 0; i < impacts_.size(); ++i) {
+    histories_[i].largest_opening = std::max(0.0, openings_.max[i]);
+    histories_[i].t_opening = openings_.t_max[i];
+  }
+}
+
 void LinkSamples::show_unfinished() {
+  show_openings();
   lengths_.clear();
   for (std::size_t i = 0; i < impacts_.size(); ++i) {
     lengths_.push_back(histories_[i].time.size());
@@ -249,7 +275,7 @@ void LinkSamples::hide_unfinished() {
 }
 
 void LinkSamples::archive(Archive& archive) {
-  archive(impacts_);
+  archive(impacts_, openings_, gaps_);
   for (LinkHistory& history : histories_) {
     archive_length(archive, history);
     history.friction.resize(history.time.size() * history.tangents);

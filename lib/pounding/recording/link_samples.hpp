@@ -8,6 +8,7 @@
 
 #include <pounding/core/archive.hpp>
 #include <pounding/model/model.hpp>
+#include <pounding/results/envelope.hpp>
 #include <pounding/results/results.hpp>
 #include <pounding/stepping/stepper.hpp>
 
@@ -52,8 +53,12 @@ class LinkSamples {
   /// Creates one history per link in `histories`; none for a system without contacts. All arguments must outlive this.
   LinkSamples(const Model& model, const Stepper& stepper, std::vector<LinkHistory>& histories);
 
+  /// Reads the gaps at the start of the run.
+  void begin();
   /// Records the step that the stepper has just accepted; `output_due` if it contains an output time.
   void step(bool output_due);
+  /// Largest openings of all links, in the order of the model, see LinkSummary [m].
+  const Extremes& openings() const { return openings_; }
   /// Completes the histories at the end of the run.
   void end();
   /// Appends the samples of unfinished impacts to the histories; removes them again.
@@ -65,6 +70,8 @@ class LinkSamples {
  private:
   struct Inside;
 
+  void show_openings();
+  void record_opening(std::size_t link, const LinkStep& step);
   std::array<double, 2> friction(std::size_t link, double LinkStep::* force) const;
   void add_inside(std::size_t link, const LinkStep& step, const Contact& contact, const ImpactRow& row);
   void add_inside(const Inside& in, double s, const Jet& at, double force);
@@ -76,6 +83,8 @@ class LinkSamples {
   std::vector<ImpactSamples> impacts_;
   std::vector<int> first_tangent_;    // by link: first column of its friction; -1 for none
   std::vector<std::size_t> lengths_;  // of the histories without unfinished impacts
+  Extremes openings_;                 // by link, from the undeformed state [m]
+  std::vector<double> gaps_;          // by link, at the beginning of the step: permanent indentation widens them [m]
 };
 
 }  // namespace pounding

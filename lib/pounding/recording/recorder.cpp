@@ -42,6 +42,7 @@ void Recorder::begin() {
   floors_.begin(motion_, stepper_.time());
   storeys_.begin(motion_);
   forces_.begin();
+  links_.begin();
   devices_.begin();
   springs_.begin();
   sample_energy();
@@ -164,7 +165,13 @@ void Recorder::summarize(Summary& summary) const {
     springs_.summarize(static_cast<int>(k), summary.structures.back());
   }
   if (has_links()) {
-    for (const Link& link : model_.links) summary.links.push_back(summary_of(link.name, link.contact->impacts()));
+    for (std::size_t i = 0; i < model_.links.size(); ++i) {
+      const Link& link = model_.links[i];
+      LinkSummary& found = summary.links.emplace_back(summary_of(link.name, link.contact->impacts()));
+      found.largest_opening = std::max(0.0, links_.openings().max[i]);
+      found.t_opening = links_.openings().t_max[i];
+      found.seat = link.seat;
+    }
     const std::vector<Friction>& frictions = stepper_.system().frictions;
     for (std::size_t f = 0; f < frictions.size(); ++f)
       summary.links[frictions[f].contact].energy_lost += stepper_.friction_work()[f];

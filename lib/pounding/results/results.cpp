@@ -179,6 +179,12 @@ void write_link(hid_t parent, const LinkHistory& history) {
   const Handle place = group(parent, history.name);
   attribute(place, "gap", history.gap);
   attribute(place, "gap_units", std::string("m"));
+  attribute(place, "largest_opening", history.largest_opening);
+  attribute(place, "largest_opening_units", std::string("m"));
+  attribute(place, "t_opening", history.t_opening);
+  attribute(place, "t_opening_units", std::string("s"));
+  attribute(place, "seat", history.seat);
+  attribute(place, "seat_units", std::string("m"));
   attribute(place, "law", history.law);
   write_ends(place, history);
 

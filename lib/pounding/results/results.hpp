@@ -30,6 +30,8 @@ struct LinkHistory {
   int tangents = 0;                                                ///< number of friction directions
   std::vector<double> friction;                                    ///< row-major [time, tangent] [N]
   double gap = 0;                                                  ///< opening when nothing moves [m]
+  double largest_opening = 0, t_opening = 0;                       ///< see LinkSummary [m], [s]
+  double seat = 0;                                                 ///< length of the seat [m]; NaN for none
   std::string law;                                                 ///< name of the contact law
   NamedEnd left, right;                                  ///< in pictures, the right end is a gap away from the left one
   std::array<double, 3> position{}, direction{1, 0, 0};  ///< of the left end [m]; from left to right

@@ -274,7 +274,11 @@ std::string to_json(const Summary& summary) {
                      {"impulse", s.impulse},
                      {"energy_lost", s.energy_lost},
                      {"energy_stored", s.energy_stored},
-                     {"presses", s.presses}});
+                     {"presses", s.presses},
+                     {"largest_opening", s.largest_opening},
+                     {"t_opening", s.t_opening},
+                     {"seat", s.seat.value_or(none)},
+                     {"unseated", s.unseated()}});
   const EnergySummary& e = summary.energy;
   Json all = object_of(11);
   all["status"] = summary.status;

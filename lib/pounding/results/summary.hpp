@@ -1,6 +1,7 @@
 #pragma once
 /// Summary numbers of a run, and the tables that show them.
 
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -22,6 +23,13 @@ struct LinkSummary {
   double energy_lost = 0;       ///< dissipated, including friction [J]
   double energy_stored = 0;     ///< recoverable [J]
   bool presses = false;         ///< true if the link is in contact at the end
+  /// Largest relative displacement of the two ends that opens the joint, from the undeformed state: its width minus the
+  /// initial gap, at least 0 [m]; and its time [s].
+  double largest_opening = 0, t_opening = 0;
+  std::optional<double> seat{};  ///< length of the seat [m]
+
+  /// True if the opening exceeds the seat.
+  bool unseated() const { return seat && largest_opening > *seat; }
 };
 
 /// Summary of the impacts of one link, without friction.

@@ -78,12 +78,19 @@ std::string torsion_table(const std::vector<StructureSummary>& structures,
 std::string links_table(const std::vector<LinkSummary>& links) {
   std::size_t width = 4;
   for (const LinkSummary& s : links) width = std::max(width, s.name.size());
-  std::string text = fmt::format("{:<{}}  impacts  peak force  penetration     impulse  energy lost\n", "link", width);
-  text += fmt::format("{:<{}}                 (kN)         (mm)      (kN s)         (kJ)\n", "", width);
+  const bool seats = std::ranges::any_of(links, [](const LinkSummary& s) { return s.seat.has_value(); });
+  std::string text =
+      fmt::format("{:<{}}  impacts  peak force  penetration     impulse  energy lost     opening    at{}\n", "link",
+                  width, seats ? "      seat" : "");
+  text += fmt::format("{:<{}}                 (kN)         (mm)      (kN s)         (kJ)        (mm)   (s){}\n", "",
+                      width, seats ? "      (mm)" : "");
   for (const LinkSummary& s : links) {
     const std::string force = std::isnan(s.peak_force) ? "rigid" : fmt::format("{:.3f}", s.peak_force / 1e3);
-    text += fmt::format("{:<{}}  {:>7}  {:>10}  {:>11.4f}  {:>10.4f}  {:>11.5f}\n", s.name, width, s.impacts, force,
-                        1e3 * s.peak_penetration, s.impulse / 1e3, shown(s.energy_lost / 1e3, 5));
+    text += fmt::format("{:<{}}  {:>7}  {:>10}  {:>11.4f}  {:>10.4f}  {:>11.5f}  {:>10.4f}  {:>4.2f}", s.name, width,
+                        s.impacts, force, 1e3 * s.peak_penetration, s.impulse / 1e3, shown(s.energy_lost / 1e3, 5),
+                        1e3 * s.largest_opening, s.t_opening);
+    if (s.seat) text += fmt::format("  {:>8.6g}{}", 1e3 * *s.seat, s.unseated() ? "  unseated" : "");
+    text += '\n';
   }
   for (const LinkSummary& s : links)
     if (s.presses)

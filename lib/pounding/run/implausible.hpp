@@ -58,6 +58,19 @@ inline std::vector<std::string> beyond_capacity(const Model& model, const Summar
   return texts;
 }
 
+/// One line for each link that opened beyond its seat.
+inline std::vector<std::string> unseated(const Summary& summary) {
+  std::vector<std::string> texts;
+  for (const LinkSummary& link : summary.links)
+    if (link.unseated())
+      texts.push_back(
+          fmt::format("link {}: opens by {} at {:.4g} s, beyond its seat of {}; the supported end falls, and "
+                      "the results after this time are not valid. Type a longer seat, or add a restrainer",
+                      link.name, format_quantity(link.largest_opening, dimension::length, 4), link.t_opening,
+                      format_quantity(*link.seat, dimension::length)));
+  return texts;
+}
+
 /// Number of impacts of a lossless rigid contact above which its bodies are considered pressed together.
 inline constexpr int many_bounces = 10'000;
 

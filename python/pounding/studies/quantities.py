@@ -19,10 +19,12 @@ from pounding.studies.structure_values import number as _number
 OF_STRUCTURES = structure_values.UNITS
 #: Quantities of all links, or of one as in force.left-right.
 OF_LINKS = {"force": "N", "penetration": "m", "impacts": "", "impulse": "N s", "energy_lost": "J"}
+#: Largest opening of all links, or of one as in opening.joint.
+OF_OPENINGS = {"opening": "m"}
 #: From the run without links: the required gap, gaps by rules, and the peak displacements of the ends of a link along
 #: it. The largest of all links, or of one as in required_gap.left-right.
 OF_GAPS = {"required_gap": "m", "gap_abs": "m", "gap_srss": "m", "gap_ddc": "m", "end_left": "m", "end_right": "m"}
-UNITS = {**OF_STRUCTURES, **OF_LINKS, **OF_GAPS}
+UNITS = {**OF_STRUCTURES, **OF_LINKS, **OF_OPENINGS, **OF_GAPS}
 _EXAMPLES = {
     "rad": "0.005",
     "m": "30 mm",
@@ -36,6 +38,7 @@ _EXAMPLES = {
 _KEYS = {
     "force": "peak_force",
     "penetration": "peak_penetration",
+    "opening": "largest_opening",
     "required_gap": "enough",
     "gap_abs": "abs",
     "gap_srss": "srss",
@@ -169,6 +172,8 @@ def _require_links(quantity: str, name: str, links: Sequence[str], rigid: set[st
         raise InputError(
             f'{place}: unknown link "{name}".{reading.did_you_mean(name, links)} Known: {", ".join(links) or "none"}'
         )
+    if quantity in OF_OPENINGS and not links:
+        raise InputError(f"{place}: {quantity} is that of a link, and the model has none; add a link")
     if quantity in OF_GAPS and not links:
         raise InputError(
             f"{place}: {quantity} is the gap of a link, and the model has none; add one, whose law is not used"

@@ -46,6 +46,12 @@ constexpr Key link_keys[] = {
      "true permits a negative gap: the overlap of the two ends of the undeformed structures. The run then starts in "
      "static equilibrium, with the structures pushed apart by the contact force.",
      "true", "0.2.0"},
+    {"seat", quantity(dimension::length, bounds::positive), otherwise("none"),
+     "Length of the seat that supports one end on the other, such as a bridge deck on its pier. The run warns, and "
+     "marks "
+     "the link as unseated, if the joint opens by more than this beyond its width in the undeformed state. It has no "
+     "effect on forces.",
+     "300 mm", "0.3.0"},
     {"name", text(), otherwise("from the two ends: left.1-right.1"),
      "Name in reports and results. The first of several pairs is name.1.", "roof"},
     {"points", integer(1, 100), otherwise("2 if edges overlap, else 1"),
