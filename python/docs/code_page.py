@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """Writes the tables of rules in the page of codes, python/docs/guide/codes.md, from the data in pounding/codes.
 
-    PYTHONPATH=python python3 python/docs/code_page.py --write    # rewrite the page
-    PYTHONPATH=python python3 python/docs/code_page.py --check    # exit code 1 if it differs
+PYTHONPATH=python python3 python/docs/code_page.py --write    # rewrite the page
+PYTHONPATH=python python3 python/docs/code_page.py --check    # exit code 1 if it differs
 """
 
 import re
@@ -48,8 +48,10 @@ def same_property(rule):
 
 
 def line(rule):
-    return LINES[rule.line] + (f": {rule.line_minimum.text}" if rule.line == "width" else "") + (
-        f", at least {rule.line_minimum.text}" if rule.line_minimum and rule.line == "own" else ""
+    return (
+        LINES[rule.line]
+        + (f": {rule.line_minimum.text}" if rule.line == "width" else "")
+        + (f", at least {rule.line_minimum.text}" if rule.line_minimum and rule.line == "own" else "")
     )
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from pounding._native import core
-from pounding.studies.quantities import OF_LINKS
+from pounding.studies.quantities import OF_LINKS, OF_OPENINGS
 from pounding.studies.structure_values import OF_FLOORS, kinds_of
 
 
@@ -25,7 +25,10 @@ def contents(layout: core.Layout) -> dict[str, Any]:
         for one in layout.structures
     ]
     links = [
-        {"name": name, "quantities": [quantity for quantity in OF_LINKS if quantity != "force" or not is_rigid]}
+        {
+            "name": name,
+            "quantities": [quantity for quantity in (*OF_LINKS, *OF_OPENINGS) if quantity != "force" or not is_rigid],
+        }
         for name, is_rigid in layout.links
     ]
     return {"structures": structures, "links": links}
