@@ -18,9 +18,10 @@ namespace pounding::python {
 struct Source {
   std::string text, name;
   std::map<std::string, std::string> files = {};
+  bool generated = false;  ///< true for the text of a model built by code, which the user does not see
 
   Input input() const {
-    return Input::read_text(text, name, std::make_shared<const std::map<std::string, std::string>>(files));
+    return Input::read_text(text, name, std::make_shared<const std::map<std::string, std::string>>(files), generated);
   }
 };
 

@@ -121,9 +121,9 @@ Input Input::read_file(const std::string& path) {
   return read_text(read_text_file(path, "YAML file", longest_model), path);
 }
 
-Input Input::read_text(std::string text, std::string name, Files files) {
+Input Input::read_text(std::string text, std::string name, Files files, bool generated) {
   text.erase(0, text.size() - without_mark(text).size());
-  auto source = std::make_shared<const Source>(Source{std::move(name), std::move(text), std::move(files)});
+  auto source = std::make_shared<const Source>(Source{std::move(name), std::move(text), std::move(files), generated});
   check_yaml(source->text, source->name);
   const Input root(source, YAML::Load(source->text), {}, {}, {});
   WrongKeys(source).refuse(root.node_);
@@ -345,8 +345,8 @@ void Input::fail(std::string_view message) const { fail_at(location_, message); 
 void Input::fail_at_key(std::string_view message) const { fail_at(key_location_, message); }
 
 void Input::fail_at(const Location& location, std::string_view message) const {
-  throw InputError(fmt::format("{}:{}:{}: {}{}", source_->name, location.line, location.column,
-                               path_.empty() ? "" : excerpt(path_) + ": ", message));
+  const std::string line = source_->generated ? "" : fmt::format("{}:{}:", location.line, location.column);
+  throw InputError(fmt::format("{}:{} {}{}", source_->name, line, path_.empty() ? "" : excerpt(path_) + ": ", message));
 }
 
 void Input::expect_map() const {

@@ -35,8 +35,10 @@ class Input {
   /// Reads a text in memory, with or without a byte order mark. `name` is the file name in messages; relative paths
   /// start at its folder. `files` contains files, such as records, by their names in the text; other files are read
   /// from disk.
+  /// `generated` is true for a text that the user does not see: messages then have the path of the key without line
+  /// and column.
   using Files = std::shared_ptr<const std::map<std::string, std::string>>;
-  static Input read_text(std::string text, std::string name, Files files = {});
+  static Input read_text(std::string text, std::string name, Files files = {}, bool generated = false);
 
   Input(const Input&) = default;
   /// The assignment of YAML::Node would write into the shared tree.
@@ -132,6 +134,7 @@ class Input {
   struct Source {
     std::string name, text;
     Files files = {};
+    bool generated = false;
   };
   struct Location {
     int line = 1, column = 1;
