@@ -31,7 +31,7 @@ endif()
 install(CODE "set(SOURCE [[${PROJECT_SOURCE_DIR}]])\nset(BINARY [[${PROJECT_BINARY_DIR}]])\nset(INCLUDEDIR [[${CMAKE_INSTALL_INCLUDEDIR}]])")
 install(SCRIPT cmake/install_headers.cmake)
 install(FILES elements/c/pounding.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
-install(DIRECTORY python/pounding DESTINATION ${CMAKE_INSTALL_DATADIR}/pounding/python FILES_MATCHING PATTERN "*.py"
+install(DIRECTORY python/pounding DESTINATION ${CMAKE_INSTALL_DATADIR}/pounding/python FILES_MATCHING PATTERN "*.py" PATTERN "*.html"
   PATTERN __pycache__ EXCLUDE)
 install(FILES python/pounding/model.schema.json DESTINATION ${CMAKE_INSTALL_DATADIR}/pounding)
 

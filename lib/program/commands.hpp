@@ -22,6 +22,7 @@ void add_sensitivity(CLI::App& app);  ///< `sensitivity MODEL.yaml`
 void add_study(CLI::App& app);        ///< `study`, `suite`, `separation` and `screen`
 void add_plot(CLI::App& app);         ///< `plot RESULTS.h5`
 void add_animate(CLI::App& app);      ///< `animate RESULTS.h5`
+void add_view(CLI::App& app);         ///< `view RESULTS.h5` and `view MODEL.yaml`
 void add_export(CLI::App& app);       ///< `export RESULTS.h5`
 void add_reproduce(CLI::App& app);    ///< `reproduce`
 void add_arguments(CLI::App& app);    ///< `words [NAME]`

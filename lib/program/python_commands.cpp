@@ -1,4 +1,4 @@
-/// `animate`, `export`, `study`, `suite`, `separation` and `screen`: done by Python.
+/// `animate`, `view`, `export`, `study`, `suite`, `separation` and `screen`: done by Python.
 
 #include <memory>
 #include <string>
@@ -61,6 +61,36 @@ void add_animate(CLI::App& app) {
       if (!value->empty()) arguments.push_back(name + *value);
     run_python({.module = "animation", .product = "animation", .shows_progress = true, .prints = true}, arguments,
                {options->results});
+  });
+}
+
+void add_view(CLI::App& app) {
+  struct Options {
+    std::string file, page, modes, frames, scale, title;
+  };
+  const auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand("view", "Interactive view of a run or a model: one HTML file");
+  command->footer("Needs plotly: python3 -m pip install plotly. The file contains everything and works offline.");
+  command->add_option("FILE", options->file, "results file (.h5) of `pounding run`, or input file (YAML)")->required();
+  names_a_file(
+      command->add_option("-o,--output", options->page, "file: .html (default: FILE.html in the current folder)"));
+  command->add_option("--modes", options->modes, "number of mode shapes per structure (default: none)")
+      ->check(CLI::TypeValidator<int>("INT"));
+  command->add_option("--frames", options->frames, "number of instants of the film (default: as many as suit 20 MB)")
+      ->check(CLI::TypeValidator<int>("INT"));
+  command->add_option("--scale", options->scale, "magnification of displacements and gaps")->check(CLI::Number);
+  command->add_option("--title", options->title, "title (default: that of the run)");
+  command->callback([options] {
+    std::vector<std::string> arguments;
+    if (!options->page.empty()) arguments = {"-o", options->page};
+    for (const auto& [name, value] : {std::pair{"--modes=", &options->modes},
+                                      {"--frames=", &options->frames},
+                                      {"--scale=", &options->scale},
+                                      {"--title=", &options->title}})
+      if (!value->empty()) arguments.push_back(name + *value);
+    arguments.insert(arguments.end(), {"--", options->file});
+    // Models need the compiled part of the package.
+    become_python("view", arguments);
   });
 }
 

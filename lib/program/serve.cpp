@@ -102,6 +102,7 @@ int serve(int argc, char** argv) {
   add_spectrum(app);
   add_plot(app);
   add_animate(app);
+  add_view(app);
   add_export(app);
   add_reproduce(app);
   for (CLI::App* command : app.get_subcommands([](const CLI::App* each) { return each->get_name() != "run"; }))

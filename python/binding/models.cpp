@@ -20,6 +20,7 @@
 #include <pounding/linear/lowest_modes.hpp>
 #include <pounding/model/ground_plan.hpp>
 #include <pounding/model/modes.hpp>
+#include <pounding/recording/headings.hpp>
 #include <pounding/reports/describe.hpp>
 #include <pounding/reports/plausible.hpp>
 #include <pounding/results/pushover_file.hpp>
@@ -142,6 +143,12 @@ std::vector<StructureModes> modes_of_all(const Source& source, int count) {
   });
 }
 
+/// Bytes of a results file with the structures, links and devices of a model that was not run.
+py::bytes image_at_rest(const Source& source) {
+  const FileImage image = with_petsc([&] { return results_image(results_at_rest(read(source))); });
+  return {reinterpret_cast<const char*>(image.data()), image.size()};
+}
+
 /// The results of a pushover as JSON; written to `output` unless that is empty.
 std::string pushed_over(const Source& source, const PushoverInput& words, const std::string& output) {
   return with_petsc([&] {
@@ -167,8 +174,8 @@ std::pair<double, std::string> value_in_si(const std::string& text) {
 
 void bind_models(py::module_& module) {
   py::class_<Source>(module, "Source")
-      .def(py::init<std::string, std::string, std::map<std::string, std::string>>(), "text"_a, "name"_a,
-           "files"_a = py::dict())
+      .def(py::init<std::string, std::string, std::map<std::string, std::string>, bool>(), "text"_a, "name"_a,
+           "files"_a = py::dict(), "generated"_a = false)
       .def_readonly("name", &Source::name);
   py::class_<Mode>(module, "Mode")
       .def_readonly("period", &Mode::period)
@@ -203,6 +210,7 @@ void bind_models(py::module_& module) {
       .def_readonly("ends", &Layout::ends)
       .def_readonly("last_arrival", &Layout::last_arrival);
   module.def("layout", &layout, "source"_a);
+  module.def("image_at_rest", &image_at_rest, "source"_a);
   module.def("modes", &modes_of_all, "source"_a, "count"_a);
   module.def(
       "pushover",

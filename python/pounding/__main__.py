@@ -1,6 +1,6 @@
 """`python3 -m pounding ...` and the command `pounding` of the wheel: start the program in this package.
 
-In a source folder, which has no program, only the Python commands plot, animate and export work."""
+In a source folder, which has no program, only the Python commands plot, animate, view and export work."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from pounding.working_folder import leave_working_folder_out
 
 #: The program in the wheel and in the build tree.
 PROGRAM = Path(__file__).parent / "bin/pounding"
-MODULES = {"plot": "plots", "animate": "animation", "export": "export"}
+MODULES = {"plot": "plots", "animate": "animation", "view": "view", "export": "export"}
 #: Commands that run in this process, also as a worker of mpi4py.futures.
 STUDIES = ("study", "suite", "separation", "screen")
 

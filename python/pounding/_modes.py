@@ -57,6 +57,11 @@ class Modes(printing.ReportLines, Mapping[str, list[Mode]], lines=printing.modes
     def __len__(self) -> int:
         return len(self._modes)
 
+    def node_shapes(self, structure: str) -> list[np.ndarray]:
+        """[mode] of [node, 3] displacements of the nodes of a frame, to the scale of `shape`; empty for others."""
+        found: list[np.ndarray] = self._drawn[structure]["node_shapes"]
+        return found
+
     def _repr_html_(self) -> str:
         names = [name for name, found in self.items() if found]
         longest = max((len(self[name]) for name in names), default=0)

@@ -9,13 +9,16 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from os import PathLike, fspath
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from pounding import arguments, printing, yaml_text
 from pounding._native import core
 from pounding.errors import ImplausibleWarning
 from pounding.pictures.html import text_html
 from pounding.records import POUNDING_RECORDS, data_folder
+
+if TYPE_CHECKING:
+    from pounding.view import View
 
 #: Sections of an input, in the order of the examples.
 PARTS = ("title", "ground_motion", "structures", "links", "devices", "analysis", "checkpoint", "compare", "accept")
@@ -91,6 +94,27 @@ class Model(printing.ReportLines, lines=printing.model):
         parts = self._parts()
         return self._text if parts == self._parts_of_text else yaml_text.emit(parts)
 
+    def view(
+        self,
+        path: str | PathLike[str] | None = None,
+        *,
+        modes: int = 0,
+        scale: float | None = None,
+        title: str | None = None,
+    ) -> View:
+        """An interactive view of the model at rest in three dimensions, with `modes` shapes per structure.
+
+        Written to `path` (.html) if given: one file, which needs no network. A notebook shows it. Raises InputError;
+        ImportError without plotly."""
+        from pounding.view import check_output, view_of_model
+
+        if path is not None:
+            check_output(path)
+        made = view_of_model(self, modes, scale, title)
+        if path is not None:
+            made.save(path)
+        return made
+
     def copy(self) -> Model:
         """An independent copy."""
         return copy.deepcopy(self)
@@ -117,7 +141,9 @@ class Model(printing.ReportLines, lines=printing.model):
             os.environ[POUNDING_RECORDS] = str(folder)
         if text is self._text:
             return core.Source(text, self._file, dict(self._files))
-        return core.Source(text, str(Path(self._file).with_name("model")) if self._file else "model", dict(self._files))
+        name = str(Path(self._file).with_name("model")) if self._file else "model"
+        # The user has not seen this text: messages have the paths of keys, without lines.
+        return core.Source(text, name, dict(self._files), generated=True)
 
 
 @dataclass(frozen=True)

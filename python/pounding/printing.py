@@ -216,6 +216,15 @@ def film(one: Any) -> list[str]:
     ]
 
 
+def view(one: Any) -> list[str]:
+    """Instants of the film and modes; size; how to save it."""
+    return [
+        f"interactive view, {counted(one.frames, 'instant')} of a film, {counted(one.modes, 'mode')}",
+        f"{len(one.html) / 1e6:.3g} MB, with everything in it",
+        '.save("NAME.html") writes it, for any browser',
+    ]
+
+
 def opensees_link(one: Any) -> list[str]:
     """Element, nodes and gap; law; direction."""
     mass = "" if one.reduced_mass is None else f", reduced mass {one.reduced_mass:.6g} kg"

@@ -23,6 +23,7 @@ if TYPE_CHECKING:
 
     from pounding._native import core
     from pounding.animation import Film
+    from pounding.view import View
 
 
 @dataclass(frozen=True, repr=False)
@@ -123,6 +124,36 @@ class Run(RunData):
         if path is not None:
             animation.save(film, path)
         return film
+
+    @takes(
+        path=optional(arguments.file),
+        modes=whole(0, 1000),
+        frames=optional(whole(2)),
+        scale=optional(number()),
+        title=optional(text),
+    )
+    def view(
+        self,
+        path: str | PathLike[str] | None = None,
+        *,
+        modes: int = 0,
+        frames: int | None = None,
+        scale: float | None = None,
+        title: str | None = None,
+    ) -> View:
+        """An interactive view in three dimensions: the model, the film of the run, and `modes` shapes per structure.
+
+        Written to `path` (.html) if given: one file, which needs no network. A notebook shows it. `frames` is the number of
+        instants of the film, by default as many as suit a file of 20 MB. Raises InputError; ImportError without
+        plotly."""
+        from pounding.view import check_output, modes_of_run, view_of_run
+
+        if path is not None:
+            check_output(path)
+        made = view_of_run(self, modes_of_run(self, modes) if modes else None, frames, scale, title)
+        if path is not None:
+            made.save(path)
+        return made
 
     def to_pandas(self) -> dict[str, pandas.DataFrame]:
         """A DataFrame for each group of the file, in SI, with its time [s] as index.

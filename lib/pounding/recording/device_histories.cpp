@@ -1,27 +1,8 @@
 #include <pounding/recording/device_histories.hpp>
 
+#include <pounding/recording/headings.hpp>
+
 namespace pounding {
-namespace {
-
-DeviceHistory heading(const Device& device, const Model& model) {
-  DeviceHistory history;
-  history.name = device.name;
-  history.left = {model.structures[device.left.structure].name, device.left.floor + 1, device.left.label};
-  history.right = {model.structures[device.right.structure].name, device.right.floor + 1, device.right.label};
-  for (int i = 0; i < 3; ++i) {
-    history.position[i] = device.left.point.position[i];
-    history.direction[i] = device.direction[i];
-  }
-  history.stiffness = device.member->first_slope();
-  if (device.parts.damper) {
-    history.coefficient = device.parts.damper->coefficient;
-    history.exponent = device.parts.damper->exponent;
-  }
-  return history;
-}
-
-}  // namespace
-
 DeviceHistories::DeviceHistories(const Model& model, const Stepper& stepper, std::vector<DeviceHistory>& histories)
     : model_(model),
       stepper_(stepper),

@@ -6,6 +6,7 @@
 #include <limits>
 #include <span>
 
+#include <pounding/recording/headings.hpp>
 #include <pounding/recording/histories.hpp>
 
 namespace pounding {
@@ -45,27 +46,6 @@ class LinkPower {
 bool bends(const LinkStep& step, double peak_force) {
   return std::abs(step.force_middle - 0.5 * (step.force_begin + step.force_end)) > 2 * max_chord_error * peak_force ||
          std::abs(step.force_end - step.force_begin) > 0.2 * peak_force;
-}
-
-LinkHistory heading(const Link& link, const Model& model) {
-  LinkHistory history;
-  history.name = link.name;
-  history.gap = link.gap;
-  history.seat = link.seat.value_or(std::numeric_limits<double>::quiet_NaN());
-  history.law = link.law;
-  history.left = {model.structures[link.left.structure].name, link.left.floor + 1, link.left.label};
-  history.right = {model.structures[link.right.structure].name, link.right.floor + 1, link.right.label};
-  // A frame has a defined location; the other structures are placed where their links are.
-  const bool only_right_has_place = model.structures[link.left.structure].geometry.positions.empty() &&
-                                    !model.structures[link.right.structure].geometry.positions.empty();
-  const LinkEnd& end = only_right_has_place ? link.right : link.left;
-  const Eigen::Vector3d position =
-      end.point.position + (only_right_has_place ? -1 : 1) * end.face.value_or(0) * link.direction;
-  for (int i = 0; i < 3; ++i) {
-    history.position[i] = position[i];
-    history.direction[i] = link.direction[i];
-  }
-  return history;
 }
 
 void append(std::span<const LinkSample> samples, LinkHistory& history) {

@@ -5,33 +5,12 @@
 #include <cmath>
 #include <limits>
 
+#include <pounding/recording/headings.hpp>
 #include <pounding/recording/histories.hpp>
 #include <pounding/structures/storey_heights.hpp>
 
 namespace pounding {
 namespace {
-
-SpringHistory spring_heading(const Structure& s) {
-  SpringHistory history;
-  for (const YieldingPart& part : s.yielding) {
-    history.hinges.push_back(part.kind == YieldingPart::Kind::hinge);
-    history.ultimate.push_back(part.parameter("ultimate_rotation"));
-    history.names.push_back(part.name);
-    history.laws.push_back(part.law);
-    history.stiffness.push_back(part.spring->stiffness() + part.spring->first_slope());
-    history.limits.push_back(part.limits);
-  }
-  const std::size_t parts = s.yielding.size();
-  constexpr double never = std::numeric_limits<double>::quiet_NaN();
-  history.deformations = history.forces = Extremes(parts);
-  history.last.assign(parts, 0.0);
-  for (std::vector<double>* values : {&history.lost, &history.plastic, &history.cycles.turn, &history.cycles.swings})
-    values->assign(parts, 0.0);
-  history.first_yield.assign(parts, never);
-  history.damping_shear.assign(parts, never);
-  if (!s.storey_stiffness.empty()) std::fill_n(history.damping_shear.begin(), s.members_that_yield(), 0.0);
-  return history;
-}
 
 // Energy dissipated by yielding, and by the damper of a device.
 double lost_by(const Spring& spring) { return spring.lost() + spring.damped(); }

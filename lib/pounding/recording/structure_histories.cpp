@@ -6,40 +6,11 @@
 #include <string>
 #include <utility>
 
+#include <pounding/recording/headings.hpp>
 #include <pounding/recording/histories.hpp>
 
 namespace pounding {
 namespace {
-
-StructureHistory heading(const Structure& s) {
-  StructureHistory history;
-  history.name = s.name;
-  history.kind = s.kind;
-  history.dimension = s.is_rigid() ? 1 : s.dimension;
-  for (const Floor& floor : s.floors) {
-    history.floors.push_back(floor.label);
-    history.elevations.push_back(floor.elevation.value_or(std::numeric_limits<double>::quiet_NaN()));
-  }
-  constexpr double none = std::numeric_limits<double>::quiet_NaN();
-  if (std::ranges::any_of(s.floors, [](const Floor& floor) { return floor.plan.has_value(); }))
-    for (const Floor& floor : s.floors) {
-      const std::array<double, 4> plan = floor.plan.value_or(std::array{none, none, none, none});
-      history.plans.insert(history.plans.end(), plan.begin(), plan.end());
-    }
-  if (history.dimension == 3) history.directions = {"x", "y", "rz"};
-  history.nodes = s.nodes.names;
-  history.node_directions = s.nodes.directions;
-  for (const int member : s.reported_members) history.members.push_back(s.forces.members[member]);
-  history.member_components = s.forces.components;
-  history.envelope.members = s.forces.members;
-  history.envelope.components = s.forces.components;
-  history.envelope.with_gravity = s.forces.with_gravity;
-  history.envelope.included = s.forces.included;
-  history.envelope.supports = s.forces.supports;
-  history.envelope.directions = s.forces.directions;
-  history.geometry = s.geometry;
-  return history;
-}
 
 void add(const Eigen::VectorXd& more, std::vector<double>& values, std::size_t from) {
   for (Eigen::Index i = 0; i < more.size(); ++i) values[from + i] += more[i];

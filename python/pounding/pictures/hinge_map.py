@@ -145,14 +145,14 @@ def _marks(scene: Scene, measure: Measure) -> Iterator[Mark]:
         if springs is None:
             continue
         for i, part in enumerate(springs.names):
-            points = _points(scene, structure, part)
+            points = part_points(scene, structure, part)
             if points is None:
                 continue
             value, energy = float(measure.of(springs, i)), float(springs.largest["hysteretic"][i])
             yield Mark(name, part, points, value, energy, springs.states[i])
 
 
-def _points(scene: Scene, structure: Structure, part: str) -> np.ndarray | None:
+def part_points(scene: Scene, structure: Structure, part: str) -> np.ndarray | None:
     """Position of a part; None if it has none in the line model."""
     nodes = scene.at_rest(structure.name)
     kind, _, number = part.partition(" ")
