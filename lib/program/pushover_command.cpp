@@ -38,9 +38,11 @@ void push_over(const PushoverArguments& given) {
   if (given.plot || !given.picture.empty()) {
     // Each structure of a model has a separate picture.
     const std::string of = model.structures.size() > 1 ? '_' + found.structure : "";
-    const std::string picture = given.picture.empty()
-                                    ? std::filesystem::path(given.model).stem().string() + of + "_pushover.png"
-                                    : given.picture;
+    // A picture of named results has their name and folder.
+    std::string picture = given.picture;
+    if (picture.empty() && !given.output.empty())
+      picture = std::filesystem::path(given.output).replace_extension(".png").string();
+    if (picture.empty()) picture = std::filesystem::path(given.model).stem().string() + of + "_pushover.png";
     draw_json("pushover_curve", pushover_json(found), picture, model.title);
     if (!given.json) std::printf("picture       %s\n", picture.c_str());
   }
@@ -70,7 +72,8 @@ void add_pushover(CLI::App& app) {
   command->add_flag("--json", given->json, "Print one JSON object");
   command->add_flag(
       "--plot", given->plot,
-      "Draw the curve: MODEL_pushover.png in the current folder, with several structures MODEL_NAME_pushover.png");
+      "Draw the curve: next to the results of -o and with their name, otherwise MODEL_pushover.png in the current "
+      "folder, with several structures MODEL_NAME_pushover.png");
   names_a_file(command->add_option("--picture", given->picture, "Name of the picture: .png, .pdf or .svg"));
   names_a_file(command->add_option("-o,--output", given->output, "Results file: .h5"));
   command->callback([given] { push_over(*given); });

@@ -1,6 +1,8 @@
 /// A pushover as text and as JSON.
 
+#include <algorithm>
 #include <cmath>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -46,6 +48,36 @@ std::vector<std::string> names_of(const Pushover& found, const std::vector<int>&
   return names;
 }
 
+// Names with both ends of a member as one: "beam 1.1 both ends", in the order of the first of them.
+std::vector<std::string> grouped(const std::vector<std::string>& names) {
+  constexpr std::string_view start = " start", end = " end";
+  const auto has = [&](const std::string& name) { return std::ranges::find(names, name) != names.end(); };
+  std::vector<std::string> groups;
+  for (const std::string& name : names) {
+    const bool at_start = name.ends_with(start), at_end = name.ends_with(end);
+    const std::string member = name.substr(0, name.size() - (at_start ? start.size() : at_end ? end.size() : 0));
+    const bool both = (at_start || at_end) && has(member + std::string(start)) && has(member + std::string(end));
+    const std::string group = both ? member + " both ends" : name;
+    if (std::ranges::find(groups, group) == groups.end()) groups.push_back(group);
+  }
+  return groups;
+}
+
+// A list with commas in indented lines of at most 110 characters, except for longer names.
+std::string wrapped(const std::vector<std::string>& items, std::size_t indent) {
+  constexpr std::size_t width = 110;
+  std::string text, line(indent, ' ');
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    const std::string item = items[i] + (i + 1 < items.size() ? "," : "");
+    if (line.size() > indent && line.size() + 1 + item.size() > width) {
+      text += line + '\n';
+      line.assign(indent, ' ');
+    }
+    line += (line.size() > indent ? " " : "") + item;
+  }
+  return text + line + '\n';
+}
+
 std::string point_text(const PushPoint& point) {
   return fmt::format("{:.4f} mm, {:.4f} kN", 1e3 * point.displacement, point.factor / 1e3);
 }
@@ -76,8 +108,8 @@ std::string parts_table(const Pushover& found) {
 std::string summary_text(const Pushover& found) {
   std::string text;
   if (found.path.mechanism)
-    text += fmt::format("mechanism     at {}: {}\n", point_text(found.path.points[*found.path.mechanism]),
-                        fmt::join(names_of(found, found.path.mechanism_parts), ", "));
+    text += fmt::format("mechanism     at {}:\n{}", point_text(found.path.points[*found.path.mechanism]),
+                        wrapped(grouped(names_of(found, found.path.mechanism_parts)), 14));
   else
     text += "mechanism     none up to the last displacement\n";
   text += fmt::format(
