@@ -11,6 +11,7 @@
 #include <vector>
 
 #include <pounding/laws/free_impact.hpp>
+#include <pounding/links/accepted_state.hpp>
 #include <pounding/links/contact_state.hpp>
 
 #include "guarded.hpp"
@@ -95,19 +96,6 @@ void put(const pounding::ContactState& state, pnd_contact& c) noexcept {
   c.largest_penetration = impact.largest_penetration;
   c.slip = impact.slip;
   c.crushed = impact.crushed;
-}
-
-template <class L>
-void accept(const L& law, double penetration, double rate, pounding::ContactState& state) {
-  const double d = state.penetration(penetration);
-  const bool touching = presses(state.phase);
-  if (!(d > 0)) {
-    if (touching) state.end(law, 0);
-    return;
-  }
-  if (!touching) state.begin(law, rate);
-  if (laws::leaves_indentation<L> && !(law.contact(d, rate, state.impact).force > 0)) return state.end(law, d);
-  state.keep(law, d, rate);
 }
 
 // Updates the history with `change(law, state)`; the contact is unchanged if it throws.
@@ -200,7 +188,7 @@ int pnd_accept(const pnd_law* law, double penetration, double rate, pnd_contact*
     require(contact, "contact");
     require_finite("penetration", penetration);
     require_finite("rate", rate);
-    update(law, *contact, [&](const auto& chosen, auto& state) { accept(chosen, penetration, rate, state); });
+    update(law, *contact, [&](const auto& chosen, auto& state) { pounding::accept(chosen, penetration, rate, state); });
   });
 }
 

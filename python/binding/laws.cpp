@@ -1,9 +1,12 @@
 /// Laws on arrays, and the tables that describe them.
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <optional>
+#include <stdexcept>
 #include <string>
+#include <tuple>
 #include <type_traits>
 #include <variant>
 #include <vector>
@@ -15,6 +18,7 @@
 #include <pounding/core/units.hpp>
 #include <pounding/input/collision.hpp>
 #include <pounding/laws/compiled.hpp>
+#include <pounding/links/accepted_state.hpp>
 #include "bindings.hpp"
 
 namespace py = pybind11;
@@ -190,6 +194,46 @@ py::dict dict_of(const laws::Entry& entry) {
                   "leaves_indentation"_a = entry.leaves_indentation, "instantaneous"_a = entry.instantaneous);
 }
 
+/// History of the contact of two bodies, for hosts that step in time. The gap of the host is not part of it: `gap`
+/// contains only the indentation left by earlier impacts.
+struct Contact {
+  laws::AnyLaw law;
+  ContactState state{};
+
+  bool touching() const { return presses(state.phase); }
+  void touch(double closing_speed) {
+    std::visit([&](const auto& chosen) { state.begin(chosen, closing_speed); }, law);
+  }
+  std::tuple<double, double, double> respond(double penetration, double rate) const {
+    if (!touching()) return {0, 0, 0};
+    const laws::Response r = std::visit(
+        [&](const auto& chosen) { return chosen.respond(state.penetration(penetration), rate, state.impact); }, law);
+    return {r.force, r.by_penetration, r.by_rate};
+  }
+  void accept(double penetration, double rate) {
+    ContactState changed = state;
+    std::visit([&](const auto& chosen) { pounding::accept(chosen, penetration, rate, changed); }, law);
+    state = changed;
+  }
+  void separate(double penetration) {
+    std::visit([&](const auto& chosen) { state.end(chosen, std::max(state.penetration(penetration), 0.0)); }, law);
+  }
+  std::vector<double> history() const {
+    const laws::Impact& i = state.impact;
+    return {touching() ? 1.0 : 0.0, state.gap, i.closing_speed, i.damping, i.largest_penetration, i.slip, i.crushed};
+  }
+  void restore(const std::vector<double>& values) {
+    if (values.size() != 7) throw std::invalid_argument("a contact has 7 numbers");
+    state = {.phase = values[0] != 0 ? ContactPhase::approach : ContactPhase::open,
+             .impact = {.closing_speed = values[2],
+                        .damping = values[3],
+                        .largest_penetration = values[4],
+                        .slip = values[5],
+                        .crushed = values[6]},
+             .gap = values[1]};
+  }
+};
+
 py::list catalogue() {
   py::list entries;
   for (const laws::Entry& entry : laws::catalogue()) entries.append(dict_of(entry));
@@ -266,12 +310,21 @@ void bind_laws(py::module_& module) {
       .def_readonly("energy_lost", &laws::FreeImpact::energy_lost)
       .def_readonly("impulse", &laws::FreeImpact::impulse)
       .def_property_readonly("closed_form", &closed_forms);
+  py::class_<Contact>(module, "Contact")
+      .def_property_readonly("touching", &Contact::touching)
+      .def_property_readonly("history", &Contact::history)
+      .def("restore", &Contact::restore, "values"_a)
+      .def("touch", &Contact::touch, "closing_speed"_a)
+      .def("respond", &Contact::respond, "penetration"_a, "rate"_a)
+      .def("accept", &Contact::accept, "penetration"_a, "rate"_a)
+      .def("separate", &Contact::separate, "penetration"_a);
   py::class_<Law>(module, "Law")
       .def(py::init(&make_law), "law"_a, "formula"_a, "restitution"_a, "impact_velocity"_a, "reduced_mass"_a,
            "values"_a)
       .def("forces", &forces)
       .def("responses", &responses)
       .def_property_readonly("needs_approach_velocity", &needs_approach_velocity)
+      .def("contact", [](const Law& law) { return Contact{law.any}; })
       .def("describe", &described)
       .def("free_impact", [](const Law& law, double reduced_mass, double closing_speed) {
         return laws::free_impact(law.any, reduced_mass, closing_speed);

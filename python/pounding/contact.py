@@ -15,6 +15,7 @@ import numpy.typing as npt
 from pounding import arguments, printing
 from pounding._native import core
 from pounding.arguments import flag, number, optional, quantity, takes, text
+from pounding.contact_state import ContactState
 from pounding.errors import InputError
 
 #: A number in SI, or a text with its unit: "0.5 m/s".
@@ -123,7 +124,7 @@ class LawKind:
 
 
 class Law:
-    """A law with its parameters. Pure: it has no history."""
+    """A law with its parameters. Pure: it has no history; `start` makes the state of a contact."""
 
     def __init__(
         self,
@@ -188,6 +189,13 @@ class Law:
         InputError."""
         answer = self._asked(penetration, rate, approach_velocity, reduced_mass, in_order, slopes=True)
         return Response(*(values[()] for values in answer))
+
+    def start(self) -> ContactState:
+        """The state of a contact of two bodies that have never touched, for programs that step in time. Raises InputError for
+        an instantaneous law and without a `reduced_mass` that the damping needs."""
+        if self.kind.instantaneous:
+            raise InputError(f"{self.kind.name} has no force history")
+        return ContactState(self._with_mass(None), self.kind.name)
 
     @takes(closing_speed=arguments.numbers, reduced_mass=optional(quantity))
     def free_impact(self, closing_speed: Numbers, reduced_mass: Quantity | None = None) -> FreeImpact:
