@@ -20,13 +20,9 @@ class Building:
     """A structure of a model."""
 
     name: str
-    masses: tuple[float, ...]  #: of the floors [kg]; empty for a wall
+    masses: tuple[float, ...]  #: of the floors [kg]; empty without floors
     elevations: tuple[float, ...]  #: of the floors [m]; empty if unknown
-
-    @property
-    def rigid(self) -> bool:
-        """True for a wall."""
-        return not self.masses
+    rigid: bool = False  #: moves with the ground, as a wall does
 
     @property
     def height(self) -> float | None:
@@ -35,7 +31,7 @@ class Building:
 
     @property
     def storeys(self) -> int | None:
-        """Number of floors; None for a wall."""
+        """Number of floors; None without floors."""
         return len(self.masses) or None
 
 
@@ -46,6 +42,11 @@ class End:
     structure: str
     floor: int | None = None  #: index of the floor; None between floors, at other nodes and at walls
     elevation: float | None = None  #: [m]; None if unknown
+
+    @property
+    def between_floors(self) -> bool:
+        """True for a point of a column."""
+        return self.floor is None and self.elevation is not None
 
 
 @dataclass(frozen=True)
@@ -100,10 +101,8 @@ class Neighbours:
     @property
     def hits_columns(self) -> bool:
         """True if a floor meets the other structure between its floors."""
-        return any(
-            (link.left.floor is None) != (link.right.floor is None) and not (self.left.rigid or self.right.rigid)
-            for link in self.links
-        )
+        ends = [(link.left, link.right) for link in self.links] + [(link.right, link.left) for link in self.links]
+        return any(one.floor is not None and other.between_floors for one, other in ends)
 
 
 @dataclass(frozen=True)
@@ -135,8 +134,8 @@ def _numbers(value: Any) -> list[float]:
 
 
 def _building(name: str, one: Mapping[str, Any]) -> Building:
-    if one["kind"] == "wall":
-        return Building(name, (), ())
+    if not {"mass", "floor_mass"} & set(one):
+        return Building(name, (), (), True)
     masses = _numbers(one["floor_mass"] if "floor_mass" in one else one.get("mass", ()))
     if "height" in one:
         elevations = list(itertools.accumulate(_numbers(one["height"])))

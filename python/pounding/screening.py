@@ -28,9 +28,10 @@ def screen(model: Model | str | PathLike[str], seismicity: str = "high") -> dict
         raise InputError(
             f"{given._file or 'model'}: a screening needs at least one link, for the floors that can touch"
         )
-    pairs = [_screened(pair, site, seismicity) for pair in site.pairs if not (pair.left.rigid or pair.right.rigid)]
-    walls = [f"{pair.left.name}-{pair.right.name}" for pair in site.pairs if pair.left.rigid or pair.right.rigid]
-    return {"seismicity": seismicity, "mark": _MARK, "pairs": pairs, "walls": walls}
+    buildings = [pair for pair in site.pairs if pair.left.masses and pair.right.masses]
+    others = [f"{pair.left.name}-{pair.right.name}" for pair in site.pairs if pair not in buildings]
+    pairs = [_screened(pair, site, seismicity) for pair in buildings]
+    return {"seismicity": seismicity, "mark": _MARK, "pairs": pairs, "not_screened": others}
 
 
 def _screened(pair: Neighbours, site: Site, seismicity: str) -> dict[str, Any]:
@@ -141,7 +142,7 @@ def ends_of_rows(pair: Neighbours, site: Site, count: int) -> list[str]:
     axis = site.axes[pair.left.name, pair.right.name]
     neighbours: dict[str, set[str]] = {}
     for one in site.pairs:
-        if site.axes[one.left.name, one.right.name] == axis and not (one.left.rigid or one.right.rigid):
+        if site.axes[one.left.name, one.right.name] == axis and one.left.masses and one.right.masses:
             neighbours.setdefault(one.left.name, set()).add(one.right.name)
             neighbours.setdefault(one.right.name, set()).add(one.left.name)
     row, waiting = set(), [pair.left.name]
@@ -185,8 +186,8 @@ def table_of(found: Mapping[str, Any]) -> str:
             for one in pair["checks"]
         ]
         lines.append(pair["summary"])
-    if found["walls"]:
-        lines.append(f"\nwithout rules, since a wall is no building: {', '.join(found['walls'])}")
+    if found["not_screened"]:
+        lines.append(f"\nnot screened, since one of them has no floors: {', '.join(found['not_screened'])}")
     return "\n".join(lines)
 
 

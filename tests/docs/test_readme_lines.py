@@ -233,7 +233,7 @@ class Models(Lines):
     def put_what_a_study_names(self):
         """A pair of oscillators and two records."""
         (self.folder / "pair.yaml").write_text(PAIR)
-        (self.folder / "records").mkdir()
+        (self.folder / "records").mkdir(exist_ok=True)
         for name, sign in (("one", 1), ("two", -1)):
             values = " ".join(f"{sign * 0.1 * (-1) ** (i // 10):.7E}" for i in range(200))
             (self.folder / f"records/{name}.AT2").write_text(
