@@ -21,7 +21,18 @@ if TYPE_CHECKING:
     from pounding.view import View
 
 #: Sections of an input, in the order of the examples.
-PARTS = ("title", "ground_motion", "structures", "links", "devices", "analysis", "checkpoint", "compare", "accept")
+PARTS = (
+    "title",
+    "project",
+    "ground_motion",
+    "structures",
+    "links",
+    "devices",
+    "analysis",
+    "checkpoint",
+    "compare",
+    "accept",
+)
 
 
 class Model(printing.ReportLines, lines=printing.model):
@@ -49,12 +60,14 @@ class Model(printing.ReportLines, lines=printing.model):
         checkpoint: Mapping[str, Any] | None = None,
         accept: Sequence[str] | None = None,
         devices: Mapping[str, Any] | None = None,
+        project: str | None = None,
     ) -> None:
         self.structures = structures
         self.links = links
         self.ground_motion = ground_motion
         self.analysis = analysis
         self.title = title
+        self.project = project
         self.compare = compare
         self.checkpoint = checkpoint
         self.accept = accept

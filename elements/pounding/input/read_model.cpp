@@ -117,6 +117,7 @@ Model read_model(const Input& input, const ModeSolver& modes, double stiffness_f
   model.source_text = input.text();
   model.source_file = input.file();
   if (const auto title = root.find("title")) model.title = title->as_text();
+  if (const auto project = root.find("project")) model.project = project->as_text();
   if (ground)
     model.ground = *ground;
   else if (const auto motion = root.find("ground_motion"))

@@ -11,6 +11,7 @@
 
 #include <pounding/hysteresis/all.hpp>
 #include <pounding/model/reducible.hpp>
+#include <pounding/reports/describe.hpp>
 #include <pounding/structures/isolators.hpp>
 
 namespace pounding {
@@ -207,12 +208,6 @@ void emit_structure(YAML::Emitter& out, const Structure& s) {
   out << YAML::EndMap;
 }
 
-std::string end_of(const Model& model, const LinkEnd& end) {
-  const Structure& s = model.structures[end.structure];
-  if (end.floor >= 0) return fmt::format("{}.{}", s.name, end.floor + 1);
-  return end.label.empty() ? s.name : fmt::format("{}, {}", s.name, end.label);
-}
-
 void emit_ground(YAML::Emitter& out, const Model& model) {
   const GroundComponents& components = model.ground.components;
   const auto emit_motion = [&](const GroundMotion& motion) {
@@ -247,7 +242,7 @@ std::string face_source(const LinkEnd& end) {
 void emit_link(YAML::Emitter& out, const Model& model, const Link& link) {
   out << YAML::BeginMap;
   field(out, "name") << link.name;
-  field(out, "between") << YAML::Flow << YAML::BeginSeq << end_of(model, link.left) << end_of(model, link.right)
+  field(out, "between") << YAML::Flow << YAML::BeginSeq << end_name(model, link.left) << end_name(model, link.right)
                         << YAML::EndSeq;
   emit(out, "gap", link.gap);
   if (link.left.face || link.right.face) {
@@ -275,7 +270,7 @@ void emit_link(YAML::Emitter& out, const Model& model, const Link& link) {
 
 void emit_device(YAML::Emitter& out, const Model& model, const Device& device) {
   out << YAML::Key << device.name << YAML::Value << YAML::BeginMap;
-  field(out, "between") << YAML::Flow << YAML::BeginSeq << end_of(model, device.left) << end_of(model, device.right)
+  field(out, "between") << YAML::Flow << YAML::BeginSeq << end_name(model, device.left) << end_name(model, device.right)
                         << YAML::EndSeq;
   emit_list(out, "direction", {device.direction.begin(), device.direction.end()});
   if (device.length) emit(out, "length", *device.length);
@@ -309,6 +304,7 @@ std::string resolved_yaml(const Model& model) {
   YAML::Emitter out;
   out << YAML::BeginMap;
   field(out, "title") << model.title;
+  if (!model.project.empty()) field(out, "project") << model.project;
   field(out, "units") << "SI";
   emit_ground(out, model);
   field(out, "structures") << YAML::BeginMap;

@@ -229,6 +229,7 @@ inline constexpr std::string_view built_by_code =
 class Model {
  public:
   std::string title;
+  std::string project;  ///< name of the project, for reports
   GroundSection ground;
   AnalysisSettings analysis;
   CheckpointSettings checkpoint;

@@ -110,8 +110,15 @@ std::string heights_of(const Model& model, const Link& link) {
 
 }  // namespace
 
+std::string end_name(const Model& model, const LinkEnd& end) {
+  const Structure& s = model.structures[end.structure];
+  if (end.floor >= 0) return fmt::format("{}.{}", s.name, end.floor + 1);
+  return end.label.empty() ? s.name : fmt::format("{}, {}", s.name, end.label);
+}
+
 std::string describe(const Model& model) {
   std::string text = model.title.empty() ? "" : model.title + "\n";
+  if (!model.project.empty()) text += model.project + "\n";
   constexpr const char* axes[] = {"", " along y", " along z"};
   for (int i = 0; i < 3; ++i) {
     const GroundMotion& motion = model.ground.components[i];

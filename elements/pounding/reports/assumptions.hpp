@@ -1,0 +1,14 @@
+#pragma once
+/// What a run assumes, as data for reports: masses, periods, damping, loads, contact laws and ground motions.
+
+#include <string>
+
+#include <pounding/model/model.hpp>
+
+namespace pounding {
+
+/// JSON object in SI units of a complete model: `title`, `project`, `sha256` of the input, `ground`, `structures` by
+/// name, `links` and `devices`.
+std::string assumptions_json(const Model& model);
+
+}  // namespace pounding
