@@ -248,6 +248,11 @@ TEST(GroundMotionInput, ReportsErrorsInARecord) {
   std::remove(path.c_str());
 }
 
+TEST(ModelInput, RefusesTheFilesOfManyRuns) {
+  refused(whole("records: {files: a.csv}\n" + analysis), mentions({"records", "pounding suite"}));
+  refused(whole("study: {factors: {}}\n" + analysis), mentions({"study", "pounding study"}));
+}
+
 TEST(ModelInput, IsAcceptedIfValid) {
   EXPECT_NO_THROW(test::model_of(whole("title: good\nlinks: []\ncompare: no_pounding\n" + analysis)));
   EXPECT_NO_THROW(

@@ -168,6 +168,13 @@ class Schema(unittest.TestCase):
         self.assertNotEqual(self.faults(LINK + study.replace("list", "lists")), [])
         self.assertNotEqual(self.faults(LINK + study.replace("of: links", "sobol: 3, of: links")), [])
 
+    def test_a_suite_has_records_next_to_the_model(self):
+        suite = "records: {x: r*.csv, scale_to: {spectrum: {en1998_1: {ag: 0.3 g, soil: C}}, method: mean}}\n"
+        self.assertEqual(self.faults(LINK + suite), [])
+        self.assertNotEqual(self.faults(suite), [])
+        self.assertNotEqual(self.faults(LINK + suite.replace("soil: C", "soil: F")), [])
+        self.assertNotEqual(self.faults(LINK + suite.replace("scale_to", "scaled_to")), [])
+
     def test_what_the_reader_refuses_does_not_validate(self):
         self.assertEqual(self.faults(LINK), [])
         wrong = {

@@ -22,8 +22,9 @@ class Function:
 
     @property
     def name(self) -> str:
-        """Name of the function."""
-        return str(getattr(self.call, "__name__", type(self.call).__name__))
+        """Name of the function; that of a lambda is "function"."""
+        found = str(getattr(self.call, "__name__", type(self.call).__name__))
+        return found if found.isidentifier() else "function"
 
     def of(self, summary: Mapping[str, Any]) -> dict[str, float]:
         """Its numbers by column. Raises InputError for other keys than those of the first row."""

@@ -39,6 +39,7 @@ from pounding.studies.prepared import prepared
 from pounding.studies.quantities import COLLAPSED_COLUMN, UNITS, Kept, read_keep, read_limits
 from pounding.studies.sampling import Points, read_points
 from pounding.studies.scaling import scale
+from pounding.studies.sections import text_with, text_without
 from pounding.studies.sources import kept_beside, read_motions
 from pounding.studies.suite_columns import contents, every_column
 from pounding.studies.template import Template
@@ -177,7 +178,7 @@ def read_given(name: str | PathLike[str]) -> Given:
         raise InputError(
             f"{name}: has study: and no model; add model: FILE.yaml, or structures:, links: and ground_motion: of the model"
         )
-    return Given(name, text, Model._from_text(yaml_text.emit(rest), name), given)
+    return Given(name, text, Model._from_text(text_without(text, "study", rest), name), given)
 
 
 def read_plan(study: str | PathLike[str], store: Path | None = None) -> Plan:
@@ -230,10 +231,13 @@ def make_plan(
     synthetic = (given["records"].get("synthetic") or {}) if has_records else {}
     motions = read_motions(one.get("records"), synthetic, ground, folder, seed, store, files)
     if lacks_motion:
-        model = Model._from_text(
-            yaml_text.emit({**parts, "ground_motion": {**motions[0].scaled(1.0), **beside}}), model._file or "model"
+        # The file names of the first motion are absolute, those of the model as typed.
+        text_of_model = text_with(
+            model.to_yaml(), model._parts(), {"ground_motion": {**motions[0].scaled(1.0), **beside}}
         )
-        model._files = files
+        typed_files = model._files
+        model = Model._from_text(text_of_model, model._file or "model")
+        model._files = Files({**typed_files, **files})
         of_model = core.check(model._source())[2]
     if has_records:
         _require_one_ground(parts)

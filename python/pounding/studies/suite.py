@@ -24,6 +24,7 @@ from pounding.studies.execution import Progress, require_count
 from pounding.studies.percentiles import order_statistic
 from pounding.studies.plan import Plan, make_plan
 from pounding.studies.scaling import Scaling
+from pounding.studies.sections import text_without
 from pounding.studies.study import Study, records_folder, run_plan
 
 if TYPE_CHECKING:
@@ -166,26 +167,11 @@ def read_suite(name: File, store: Path | None = None) -> Plan:
         )
     given = core.read_suite(text, name)
     rest = {key: value for key, value in parts.items() if key != "records"}
-    without = _without_records(text)
-    try:
-        same = core.parse(core.Source(without, name)) == rest
-    except InputError:
-        same = False
-    model = Model._from_text(without if same else yaml_text.emit(rest), name)
+    model = Model._from_text(text_without(text, "records", rest), name)
     try:
         return plan_of_suite(model, parts["records"], given, Path(name).parent, text, store)
     except InputError as error:
         raise InputError(str(error) if str(error).startswith(name) else f"{name}: {error}") from None
-
-
-def _without_records(text: str) -> str:
-    """The text with empty lines in place of the section `records`, so that errors cite the lines of the file."""
-    return re.sub(
-        r"^records\s*:[^\n]*(\n(?![^\s#}\]-])[^\n]*)*",
-        lambda found: "\n" * found[0].count("\n"),
-        text,
-        flags=re.MULTILINE,
-    )
 
 
 def plan_of_suite(

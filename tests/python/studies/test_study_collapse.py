@@ -16,6 +16,7 @@ import numpy as np
 import pounding
 from pounding.errors import InputError
 from pounding.studies import command
+from pounding.studies.table_commands import report_of
 from pounding.studies.batches import COLLAPSED, DONE, EXCEEDED, STATUSES
 from pounding.studies.plan import make_plan
 from pounding.studies.quantities import Kept
@@ -264,7 +265,7 @@ class Collapse(unittest.TestCase):
         self.assertEqual(curve.exceedance("10 km"), fallen.mean())
         self.assertTrue(math.isinf(curve.percentile(100)[0]))
         study.plot("gap").savefig(self.folder / "gap.svg")
-        told = command._report(study)
+        told = report_of(study)
         assert_mentions(told, "gap")
 
     def test_a_separation_says_for_which_records_no_gap_is_enough(self):

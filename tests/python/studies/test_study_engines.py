@@ -418,7 +418,7 @@ class Engines(unittest.TestCase):
         assert_mentions(checked, ["20", "36", "3"])
         ran = command("study.yaml", "-j", "0")
         assert_mentions(ran, ["36", "3"])
-        self.assertEqual(command("show", "study.h5").splitlines(), ran.splitlines()[:2])
+        self.assertEqual(command("show", "study.h5").splitlines()[:2], ran.splitlines()[:2])
 
     def test_rows_of_the_kernel_run_in_scripts_as_they_stand(self):
         (self.folder / "script.py").write_text(
