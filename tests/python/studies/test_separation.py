@@ -102,6 +102,14 @@ class Statistics(Separations):
         self.assertEqual(one["gap"], max(level["gap"] for level in one["levels"]))
         self.assertEqual((one["governs"], one["available"]), ("left.2-right.2", 0.02))
 
+    def test_the_numbers_of_lesson_23(self):
+        folder = Path(__file__).resolve().parents[3] / "examples/23_gap_that_is_enough"
+        found = separation(folder / "study.yaml", keys={"codes": "EN"})
+        [one] = found["codes"]
+        exceeded = sum(record["required"] > one["gap"] for record in found["records"])
+        text = " ".join((folder / "README.md").read_text().split())
+        self.assertIn(f"{1e3 * one['gap']:.1f} mm, which {exceeded} of the {len(found['records'])} earthquakes", text)
+
 
 class Conditions(Separations):
     def test_alignment_is_that_of_the_elevations(self):
