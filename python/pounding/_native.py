@@ -9,9 +9,9 @@ try:
     from pounding import _core as core
 except ImportError as error:
     raise ImportError(
-        f"the compiled part of pounding cannot be loaded: {error}. Type `python3 -m venv env` and "
-        "then `env/bin/python3 -m pip install .` in the source directory, or set PYTHONPATH to build/python after "
-        "`make`"
+        f"the compiled part of pounding cannot be loaded: {error}. Type `make` in the source directory, which compiles "
+        "it for build/pounding, or `python3 -m venv env` and then `env/bin/python3 -m pip install .`; scripts also need "
+        "build/python in PYTHONPATH after `make`"
     ) from error
 
 

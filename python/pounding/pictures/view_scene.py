@@ -192,7 +192,11 @@ def _parts(scene: Scene, numbers: dict[str, int]) -> Iterator[Trace]:
     names = {"hinge": "hinges", "storey": "storeys", "isolator": "isolators"}
     for kind, state in sorted(marks, key=lambda key: (list(names).index(key[0]), list(STATES).index(key[1]))):
         points, texts = marks[kind, state]
-        marker: dict[str, Any] = {"symbol": SYMBOLS[kind], "size": 4 if state == "elastic" else 6, "color": STATES[state]}
+        marker: dict[str, Any] = {
+            "symbol": SYMBOLS[kind],
+            "size": 4 if state == "elastic" else 6,
+            "color": STATES[state],
+        }
         marker["line"] = {"color": "#333333", "width": 1}
         shown = {"type": "scatter3d", "mode": "markers", "marker": marker, "text": texts, "hoverinfo": "text"}
         yield Trace({**shown, "name": f"{names[kind]}: {state}"}, points)
@@ -206,7 +210,9 @@ def _part_text(structure: Structure, i: int) -> str:
     value = {key: float(values[i]) for key, values in springs.largest.items()}
     if structure.displacement.size:
         plastic = MM * value["peak_plastic"]
-        lines.append(f"ductility {value['ductility']:.3g}, plastic {plastic:.3g} {'mrad' if springs.is_hinge(i) else 'mm'}")
+        lines.append(
+            f"ductility {value['ductility']:.3g}, plastic {plastic:.3g} {'mrad' if springs.is_hinge(i) else 'mm'}"
+        )
         if np.isfinite(value["first_yield"]):
             lines.append(f"first yield at {value['first_yield']:.2f} s")
     return "<br>".join(lines)
@@ -216,7 +222,9 @@ def _devices(scene: Scene, numbers: dict[str, int]) -> Iterator[Trace]:
     """Bars and dampers between structures as lines between their ends."""
     points, texts = Points(), []
     for device in scene.run.devices.values():
-        left, right = (_device_end(scene, *end) for end in ((device.left, device.left_end), (device.right, device.right_end)))
+        left, right = (
+            _device_end(scene, *end) for end in ((device.left, device.left_end), (device.right, device.right_end))
+        )
         if left is None and right is None:
             continue
         # An end without a floor or node, of a wall, is level with the other one.
@@ -263,7 +271,9 @@ def _links(scene: Scene, numbers: dict[str, int]) -> Iterator[Trace]:
     lines, marks, texts, sizes, colours = Points(), Points(), [], [], []
     force = {name: _peak_force(scene.run, name) for name in scene.run.links}
     # In a plane, marks are in front of lines, hinges and masses.
-    depth = max([0.01 * float(np.ptp(scene.bounds(), axis=1).max()), *(1.2 * m.half_height for m in scene.line_models.values())])
+    depth = max(
+        [0.01 * float(np.ptp(scene.bounds(), axis=1).max()), *(1.2 * m.half_height for m in scene.line_models.values())]
+    )
     front = np.zeros(3) if scene.is_spatial else np.array([0, -depth, 0])
     strongest = max((value for value in force.values() if np.isfinite(value)), default=0.0)
     for link in scene.run.links.values():

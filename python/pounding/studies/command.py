@@ -15,7 +15,14 @@ from typing import Any
 
 import numpy as np
 
-from pounding._native import core
+try:
+    from pounding._native import core
+except ImportError as error:  # the program without the package, as after `make demo`
+    if __name__ != "__main__":
+        raise
+    print(f"pounding: {error}", file=sys.stderr)
+    sys.exit(2)
+
 from pounding.arguments import is_encodable
 from pounding.checked_file import STUDY
 from pounding.ended import exit_code
@@ -27,7 +34,7 @@ from pounding.studies.engines import ENGINES, KERNEL, run_batch
 from pounding.studies.execution import available_cores, batch_of
 from pounding.studies.gap_commands import screening, separation
 from pounding.studies.kernel_engine import KernelEngine
-from pounding.studies.options import at_least, shard, show_warning, study_parser, warn
+from pounding.studies.options import at_least, shard, show_warning, study_parser, table_name, warn
 from pounding.studies.plan import Plan, read_plan
 from pounding.studies.progress import duration_text
 from pounding.studies.study import Study, records_folder, run_plan
@@ -164,7 +171,7 @@ def _run(words: list[str]) -> int:
     parser.add_argument("--chunk", type=at_least(1), help="rows per chunk (default: half a second of run time)")
     parser.add_argument("-q", "--quiet", action="store_true", help="print nothing")
     options = parser.parse_args(words)
-    output = _table_name(options.study, options.output)
+    output = table_name(options.study, options.output)
     if options.shard == (1, 1) or not output.is_file():
         destination(output, STUDY)
     if options.executor:
@@ -203,7 +210,7 @@ def _check(words: list[str]) -> int:
     parser.add_argument("study", help="study file")
     parser.add_argument("-j", "--workers", type=at_least(0), help="processes of the study (default: one per core)")
     options = parser.parse_args(words)
-    plan = read_plan(options.study, records_folder(_table_name(options.study, None)))
+    plan = read_plan(options.study, records_folder(table_name(options.study, None)))
     warn(plan)
     records, points, levels = plan.shape
     print(f"{plan.count} rows: {records} records, {points} points of the factors, {levels} levels")
@@ -261,7 +268,7 @@ def _merge(words: list[str]) -> int:
     parser.add_argument("tables", nargs="+", help="tables of the shards")
     parser.add_argument("-o", "--output", required=True, help="table to write")
     options = parser.parse_args(words)
-    output = _table_name(options.study, options.output)
+    output = table_name(options.study, options.output)
     destination(output, STUDY)
     plan = read_plan(options.study, records_folder(output))
     table = Table(plan, output)
@@ -281,19 +288,6 @@ def _merge(words: list[str]) -> int:
         )
     )
     return 0
-
-
-def _table_name(study: str, given: str | None) -> Path:
-    """The given table, or the name of the study with .h5 in the current folder."""
-    if given is None:
-        return Path(Path(study).stem + ".h5")
-    if not given:
-        raise InputError("the name of the file is empty: -o needs one, such as -o study.h5")
-    if Path(given).name in ("", ".."):
-        raise InputError(f'cannot write "{given}": it is a directory. Name a file in it')
-    if given.endswith("/"):
-        destination(given, STUDY)
-    return Path(given)
 
 
 if __name__ == "__main__":

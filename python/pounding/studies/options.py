@@ -8,9 +8,12 @@ import re
 import sys
 import warnings
 from collections.abc import Callable
+from pathlib import Path
 from typing import Any
 
-from pounding.errors import ImplausibleWarning
+from pounding.checked_file import STUDY
+from pounding.errors import ImplausibleWarning, InputError
+from pounding.outputs import destination
 from pounding.studies.plan import Plan
 
 
@@ -89,3 +92,16 @@ def warn(plan: Plan) -> None:
 def show_warning(message: Warning | str, *_: Any, **__: Any) -> None:
     """Prints a warning without its place in the source; a replacement of warnings.showwarning."""
     print(f"warning: {message}", file=sys.stderr)
+
+
+def table_name(study: str, given: str | None) -> Path:
+    """The given table, or the name of the study with .h5 in the current folder."""
+    if given is None:
+        return Path(Path(study).stem + ".h5")
+    if not given:
+        raise InputError("the name of the file is empty: -o needs one, such as -o study.h5")
+    if Path(given).name in ("", ".."):
+        raise InputError(f'cannot write "{given}": it is a directory. Name a file in it')
+    if given.endswith("/"):
+        destination(given, STUDY)
+    return Path(given)

@@ -17,7 +17,7 @@ from pounding.errors import InputError
 from pounding.studies import gaps
 from pounding.studies.separation_table import table_of
 from pounding.studies.study import study
-from study_samples import pair, write_records
+from study_samples import pair
 from messages import assert_mentions, raises
 
 BUILDING = {"mass": "100 t", "stiffness": "120 MN/m"}
@@ -269,8 +269,19 @@ class Commands(Separations):
         assert_mentions(done.stdout, ["--property", "--quantile", "--probability", "--set", "--code"])
         assert_mentions(self.command("screen", "--help").stdout, ["--seismicity", "very_high"])
 
+    def test_without_the_compiled_part_the_message_says_what_to_type(self):
+        sources = Path(__file__).resolve().parents[3] / "python"
+        done = subprocess.run(
+            [sys.executable, "-m", "pounding.studies.command", "separation", "model.yaml"],
+            env={**os.environ, "PYTHONPATH": str(sources)},
+            capture_output=True,
+            text=True,
+            timeout=120,
+        )
+        self.assertEqual((done.returncode, done.stdout, len(done.stderr.splitlines())), (2, "", 1))
+        assert_mentions(done.stderr, "make")
+
     def test_scipy_is_not_needed(self):
-        write_records(self.folder, ["r1.csv"])
         code = "import sys; sys.modules['scipy'] = None; from pounding.__main__ import command; sys.exit(command())"
         words = ["separation", self.file(), "--quantile", "95 %", "-j", "0"]
         done = subprocess.run(
