@@ -223,7 +223,8 @@ PND_API void pnd_destroy_yielding(pnd_yielding* law);
 PND_API int pnd_follow(const pnd_yielding* law, const double* deformation, size_t count, double* force, double* tangent,
                        double* lost);
 
-/* Initial stiffness [N/m], and the yield deformation, to which ductility refers [m]. NULL skips a value. */
+/* Initial stiffness [N/m], of a restrainer when taut, and the yield deformation, to which ductility refers [m];
+ * infinite for a restrainer without strength. NULL skips a value. */
 PND_API int pnd_yielding_start(const pnd_yielding* law, double* stiffness, double* yield_deformation);
 
 /* Description of a hysteretic law. */

@@ -27,10 +27,11 @@ void require_mass(const FrameModel& model, const FrameUplift& uplift, const Asse
     refuse_uplift(model, uplift, "uz of its node is fixed; remove it from fix, so that the spring supports the node");
   for (Row::InnerIterator it(deformation); it; ++it)
     if (frame.massless[it.index()])
-      refuse_uplift(model, uplift,
-                    fmt::format("its node has no mass, so a lifted foot has no inertia; type masses: {{\"{}\": 2 t}} for "
-                                "the foot",
-                                model.frame.node_name(uplift.node)));
+      refuse_uplift(
+          model, uplift,
+          fmt::format("its node has no mass, so a lifted foot has no inertia; type masses: {{\"{}\": 2 t}} for "
+                      "the foot",
+                      model.frame.node_name(uplift.node)));
 }
 
 // Compression of the spring at rest [N].

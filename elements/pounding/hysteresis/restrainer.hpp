@@ -13,11 +13,11 @@ namespace pounding::hysteresis {
 
 /// f = k (d - slack - p), never compression; with a strength at most Fy + a k p/(1-a).
 ///
-/// k [N/m] stiffness of the taut cable, Fy [N] yield force, a [-] ratio of post-yield to elastic stiffness, p [m] yielded
-/// elongation, which is permanent slack. d > 0 is elongation. Without a strength the cable stays elastic. The yield
-/// force grows with p and keeps its value when the cable becomes slack (isotropic hardening): reloading is elastic up to
-/// the largest force reached. Yield follows from return mapping (Simo & Hughes 1998, Computational Inelasticity, 1.4).
-/// Cable restrainers of bridges: DesRoches & Fenves 2000, Earthquake Spectra 16:607.
+/// k [N/m] stiffness of the taut cable, Fy [N] yield force, a [-] ratio of post-yield to elastic stiffness, p [m]
+/// yielded elongation, which is permanent slack. d > 0 is elongation. Without a strength the cable stays elastic. The
+/// yield force grows with p and keeps its value when the cable becomes slack (isotropic hardening): reloading is
+/// elastic up to the largest force reached. Yield follows from return mapping (Simo & Hughes 1998, Computational
+/// Inelasticity, 1.4). Cable restrainers of bridges: DesRoches & Fenves 2000, Earthquake Spectra 16:607.
 struct Restrainer {
   static constexpr std::string_view name = "restrainer", shape = "f = min(k (d - s - p), Fy + a k p/(1-a)), f >= 0";
   static constexpr std::string_view summary = "cable or hook: tension only, beyond a slack, with yield at its strength";
@@ -49,8 +49,9 @@ struct Restrainer {
   struct State {
     double deformation = 0, yielded = 0;
   };
-  static constexpr std::array state{StateValue<Restrainer>{{"yielded", "m", "yielded elongation p, which adds to the slack"},
-                                                           [](const State& kept) { return kept.yielded; }}};
+  static constexpr std::array state{
+      StateValue<Restrainer>{{"yielded", "m", "yielded elongation p, which adds to the slack"},
+                             [](const State& kept) { return kept.yielded; }}};
 
   void check() const {
     laws::require_positive("stiffness", taut_stiffness);

@@ -32,12 +32,13 @@ namespace pounding {
 /// - drift: a storey drift above a tenth of the storey height in a run
 /// - motion: no motion in a run
 /// - penetration: a contact penetration above 50 mm
+/// - seat: a joint that opens beyond the seat of its link in a run
 /// - tolerance: a tolerance above 1e-2
 /// - duration: analysis.duration omits more than 5 % of the Arias intensity of a record
 /// - hardening: the hardening of a hinge with a law, which version 0.2.0 interpreted as the ratio of the bare spring
 inline constexpr auto warning_names = std::to_array<std::string_view>(
     {"period",    "gap",     "face",     "joint",       "mass",      "section",   "E",         "yield", "rotation",
      "pga",       "record",  "motion",   "penetration", "tolerance", "duration",  "hardening", "scale", "density",
-     "stiffness", "damping", "isolator", "height",      "friction",  "amplitude", "initial",   "drift"});
+     "stiffness", "damping", "isolator", "height",      "friction",  "amplitude", "initial",   "drift", "seat"});
 
 }  // namespace pounding

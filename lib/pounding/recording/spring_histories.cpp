@@ -52,10 +52,15 @@ void update_by_pieces(const Spring& spring, const LinkStep& step, double stiffne
 }
 
 // Records that a part moves monotonically to a deformation; `on_top` is its force in addition to K u. A damper without
-// a spring has no stiffness.
-void reach(SpringHistory& history, std::size_t i, double assembled, double deformation, double on_top) {
-  const double k = history.stiffness[i];
-  if (k > 0) history.plastic[i] = std::max(history.plastic[i], std::abs((on_top - (k - assembled) * deformation) / k));
+// a spring has no stiffness. The plastic part of a cable is its yielded elongation, without the slack.
+void reach(SpringHistory& history, const YieldingPart& part, std::size_t i, double assembled, double deformation,
+           double on_top) {
+  if (const double k = history.stiffness[i]; k > 0) {
+    const double inelastic = ((k - assembled) * deformation - on_top) / k;
+    const bool is_cable = part.law.starts_with("restrainer");
+    const double plastic = is_cable ? inelastic - part.parameter("slack") : std::abs(inelastic);
+    history.plastic[i] = std::max(history.plastic[i], plastic);
+  }
   history.cycles.follow(i, deformation, history.limits[i]);
 }
 
@@ -101,7 +106,7 @@ void SpringHistories::begin() {
     history.deformations.update(i, time, d);
     history.forces.update(i, time, assembled(k, i) * d + stepper_.link_forces()[link]);
     if (history.limits[i].exceeded_by(d)) history.first_yield[i] = time;
-    reach(history, i, assembled(k, i), d, stepper_.link_forces()[link]);
+    reach(history, model_.structures[k].yielding[i], i, assembled(k, i), d, stepper_.link_forces()[link]);
   });
 }
 
@@ -166,7 +171,8 @@ void SpringHistories::step_part(int k, std::size_t i) {
     history.deformations.update(i, step.begin, h, begin.penetration, begin.rate, end.penetration, end.rate);
   const double f0 = stiffness * begin.penetration + step.force_begin, f1 = stiffness * end.penetration + step.force_end;
   const double fm = stiffness * step.motion_middle.penetration + step.force_middle, away = 0.25 * std::abs(f1 - f0);
-  const Spring& spring = *model_.structures[k].yielding[i].spring;
+  const YieldingPart& part = model_.structures[k].yielding[i];
+  const Spring& spring = *part.spring;
   if (spring.bends_sharply(step))
     update_by_pieces(spring, step, stiffness, i, history.forces);
   else if (exceeds(history.forces, i, std::min(fm, f1) - away, std::max(fm, f1) + away))
@@ -174,9 +180,9 @@ void SpringHistories::step_part(int k, std::size_t i) {
   if (begin.rate * end.rate < 0) {
     const CubicPenetration between(begin, end, h);
     if (const double s = between.turn(); s > 0 && s < 1)
-      reach(history, i, stiffness, between.at(s), spring.inside(step, s, between.at(s)).force);
+      reach(history, part, i, stiffness, between.at(s), spring.inside(step, s, between.at(s)).force);
   }
-  reach(history, i, stiffness, end.penetration, step.force_end);
+  reach(history, part, i, stiffness, end.penetration, step.force_end);
   history.last[i] = end.penetration;
   history.lost[i] = lost_by(spring);
   if (const YieldLimits& limits = history.limits[i];

@@ -58,14 +58,16 @@ inline std::vector<std::string> beyond_capacity(const Model& model, const Summar
   return texts;
 }
 
-/// One line for each link that opened beyond its seat.
-inline std::vector<std::string> unseated(const Summary& summary) {
+/// One line for each link that opened beyond its seat, unless the model suppresses them.
+inline std::vector<std::string> unseated(const Model& model, const Summary& summary) {
   std::vector<std::string> texts;
+  if (std::ranges::find(model.accept, "seat") != model.accept.end()) return texts;
   for (const LinkSummary& link : summary.links)
     if (link.unseated())
       texts.push_back(
           fmt::format("link {}: opens by {} at {:.4g} s, beyond its seat of {}; the supported end falls, and "
-                      "the results after this time are not valid. Type a longer seat, or add a restrainer",
+                      "the results after this time are not valid. Type a longer seat, or add a restrainer "
+                      "(to suppress this warning: accept: [seat])",
                       link.name, format_quantity(link.largest_opening, dimension::length, 4), link.t_opening,
                       format_quantity(*link.seat, dimension::length)));
   return texts;

@@ -100,7 +100,7 @@ void RunWriter::conclude(const std::string& status) {
   summary.warnings = warnings_;
   for (std::string& text : implausible(model_, summary)) summary.warnings.push_back(std::move(text));
   for (std::string& text : beyond_capacity(model_, summary)) summary.warnings.push_back(std::move(text));
-  for (std::string& text : unseated(summary)) summary.warnings.push_back(std::move(text));
+  for (std::string& text : unseated(model_, summary)) summary.warnings.push_back(std::move(text));
   for (std::string& text : endless_bounces(model_, summary)) summary.warnings.push_back(std::move(text));
   for (std::string& text : reduction_warnings(plan_, summary.reduced)) summary.warnings.push_back(std::move(text));
   if (std::string text = warning(summary, stepper_.options().tolerance); !text.empty())
