@@ -21,6 +21,7 @@ void add_pushover(CLI::App& app);     ///< `pushover MODEL.yaml`
 void add_sensitivity(CLI::App& app);  ///< `sensitivity MODEL.yaml`
 void add_study(CLI::App& app);        ///< `study`, `suite`, `separation` and `screen`
 void add_plot(CLI::App& app);         ///< `plot RESULTS.h5`
+void add_report(CLI::App& app);       ///< `report RESULTS.h5`
 void add_animate(CLI::App& app);      ///< `animate RESULTS.h5`
 void add_view(CLI::App& app);         ///< `view RESULTS.h5` and `view MODEL.yaml`
 void add_export(CLI::App& app);       ///< `export RESULTS.h5`
@@ -45,11 +46,11 @@ inline CLI::Option* is_positive(CLI::Option* option) {
 /// Draws a picture of a results file, such as "profiles"; throws InputError when Python or its packages are missing.
 void draw(const std::string& results, const std::string& picture, const std::string& kind = "run");
 
-/// Draws the spectrum of a floor such as "left.3" along x or y, with and without links if the file has both runs. If
-/// the output times miss the peak of the acceleration, draws nothing and returns the reason. Throws as `draw`, and
-/// InputError for an unknown floor.
-std::string draw_floor_spectrum(const std::string& results, const std::string& floor, const std::string& direction,
-                                const std::string& picture);
+/// Refuses names of reports that end in neither .pdf nor .html.
+CLI::Option* is_report(CLI::Option* option);
+
+/// Writes the report of a results file, .pdf or .html. Throws as `draw`.
+void write_report(const std::string& results, const std::string& report);
 
 /// Draws a JSON object by python/pounding/MODULE.py: "mode_shapes", "pushover_curve" or "spectra". Throws as `draw`.
 void draw_json(const char* module, const std::string& json, const std::string& picture, const std::string& title = {});

@@ -1,55 +1,14 @@
 /// `plot`, and the pictures of other commands: drawn by Python.
 
-#include <unistd.h>
-
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
 #include <memory>
 #include <string>
 #include <vector>
 
-#include <pounding/core/error.hpp>
 #include "program/commands.hpp"
 #include "program/python_process.hpp"
+#include "program/temporary_file.hpp"
 
 namespace pounding::program {
-namespace {
-
-namespace fs = std::filesystem;
-
-/// A temporary file, removed by the destructor.
-class TemporaryFile {
- public:
-  /// Throws InputError if no temporary file can be created.
-  explicit TemporaryFile(const std::string& text) {
-    std::error_code none;
-    name_ = (fs::temp_directory_path(none) / "pounding-XXXXXX").string();
-    const int file = mkstemp(name_.data());
-    if (file < 0) throw InputError("no picture: " + name_ + " cannot be written. Set TMPDIR to a writable directory");
-    close(file);
-    std::ofstream stream(name_);
-    stream << text;
-    stream.close();
-    if (!stream) {
-      fs::remove(name_, none);
-      throw InputError("no picture: " + name_ + " cannot be written. Set TMPDIR to a directory with free space");
-    }
-  }
-  TemporaryFile(const TemporaryFile&) = delete;
-  TemporaryFile& operator=(const TemporaryFile&) = delete;
-  ~TemporaryFile() {
-    std::error_code ignored;
-    fs::remove(name_, ignored);
-  }
-
-  const std::string& name() const { return name_; }
-
- private:
-  std::string name_;
-};
-
-}  // namespace
 
 void draw(const std::string& results, const std::string& picture, const std::string& kind) {
   run_python({.module = "plots", .product = "picture"}, {"-o", picture, "--picture=" + kind}, {results});
@@ -75,13 +34,14 @@ void add_plot(CLI::App& app) {
                                    "pictures RESULTS-model.png ...)"));
   command->add_option("--title", options->title, "title (default: that of the run)");
   command
-      ->add_option("--picture", options->kind,
-                   "run (histories and impacts), model (structures at rest), profiles (extremes over the height), plan "
-                   "(a map of drifts and impacts of frames in space), loops (force over deformation of the six parts "
-                   "with the largest dissipation, or of contacts if there are none), hinges (a map of yielded parts "
-                   "and impacts), or one panel")
-      ->check(CLI::IsMember({"run", "model", "profiles", "plan", "loops", "hinges", "displacement", "rotation", "gap",
-                             "force", "energy", "contact_loops"}));
+      ->add_option(
+          "--picture", options->kind,
+          "run (histories and impacts), model (structures at rest), profiles (extremes over the height), plan "
+          "(a map of drifts and impacts of frames in space), loops (force over deformation of the six parts "
+          "with the largest dissipation, or of contacts if there are none), hinges (a map of yielded parts "
+          "and impacts), worst (members and yielding parts with the largest increases by contact), or one panel")
+      ->check(CLI::IsMember({"run", "model", "profiles", "plan", "loops", "hinges", "worst", "displacement", "rotation",
+                             "gap", "force", "energy", "contact_loops"}));
   command->add_option("--floors", options->floors, "floors whose displacements `--picture run` shows, such as A.3,B.2");
   command->add_flag("--compare", options->compare,
                     "also draw the run without links, dashed; profiles and plan always do if the file contains it");

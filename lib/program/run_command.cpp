@@ -33,8 +33,8 @@ namespace pounding::program {
 namespace {
 
 struct RunArguments {
-  std::string model, output, picture, resume;
-  bool json = false, plot = false, report = false, quiet = false;
+  std::string model, output, picture, report, resume;
+  bool json = false, plot = false, quiet = false;
 };
 
 std::string with_ending(const std::string& path, const char* ending) {
@@ -140,28 +140,6 @@ void abort_all(const std::string& text, const std::exception& error) {
   MPI_Abort(PETSC_COMM_WORLD, exit_code(error));
 }
 
-// In addition to the standard picture: profiles, and for each structure the spectrum of the floor with the largest
-// acceleration, in space along x and y. Spectra whose output times are too coarse are not drawn.
-void draw_report(const Summary& summary, const std::string& results, std::vector<std::string>& pictures) {
-  const std::string name = with_ending(results, "");
-  pictures.push_back(name + "-profiles.png");
-  draw(results, pictures.back(), "profiles");
-  for (const StructureSummary& s : summary.structures) {
-    const auto hardest = std::max_element(s.peak_acceleration.begin(), s.peak_acceleration.end());
-    if (hardest == s.peak_acceleration.end()) continue;
-    const std::string floor = fmt::format("{}.{}", s.name, hardest - s.peak_acceleration.begin() + 1);
-    for (const std::string& direction : s.directions) {
-      if (direction == "rz") continue;
-      const std::string picture =
-          fmt::format("{}-spectrum-{}{}.png", name, floor, direction == "x" ? "" : "-" + direction);
-      if (const std::string wrong = draw_floor_spectrum(results, floor, direction, picture); wrong.empty())
-        pictures.push_back(picture);
-      else
-        std::fprintf(stderr, "pounding: warning: %s; it is not drawn\n", wrong.c_str());
-    }
-  }
-}
-
 struct Task {
   std::string model_file;
   std::vector<std::string> options;
@@ -175,8 +153,8 @@ void run_task(const RunArguments& arguments, const Task& task) {
   const Model model =
       read_model(model_file.empty() ? input_of(earlier) : Input::read_file(model_file), petsc::lowest_modes);
   RunOptions run_options;
-  const bool plot = arguments.plot || arguments.report || !arguments.picture.empty();
-  const bool keep = !arguments.output.empty() || plot || resume;
+  const bool plot = arguments.plot || !arguments.picture.empty(), report = !arguments.report.empty();
+  const bool keep = !arguments.output.empty() || plot || report || resume;
   if (keep)
     run_options.output = resume ? arguments.resume : with_ending(std::filesystem::path(model_file).filename(), ".h5");
   if (!arguments.output.empty()) run_options.output = arguments.output;
@@ -186,6 +164,7 @@ void run_task(const RunArguments& arguments, const Task& task) {
                   arguments.resume, options.empty() ? "" : " ", fmt::join(options, " "));
   const std::string picture = arguments.picture.empty() ? with_ending(run_options.output, ".png") : arguments.picture;
   if (plot) ReplacedFile(picture, picture_files).require_free();
+  if (report) ReplacedFile(arguments.report, run_report_files).require_free();
   const bool terminal = isatty(STDERR_FILENO) != 0 && !arguments.quiet && ranks.is_root();
   RunProgress line;
   if (terminal)
@@ -228,14 +207,22 @@ void run_task(const RunArguments& arguments, const Task& task) {
     std::puts(to_json(outcome.summary).c_str());
   else if (!arguments.quiet)
     std::fputs(to_table(outcome.summary).c_str(), stdout);
-  if (!keep) return;
-  if (!arguments.json && !arguments.quiet) std::printf("\nresults      %s\n", run_options.output.c_str());
-  if (!plot) return;
-  draw(run_options.output, picture);
-  std::vector<std::string> pictures{picture};
-  if (arguments.report) draw_report(outcome.summary, run_options.output, pictures);
-  if (!arguments.json && !arguments.quiet)
-    for (const std::string& each : pictures) std::printf("picture      %s\n", each.c_str());
+  const bool prints = !arguments.json && !arguments.quiet;
+  if (!keep) {
+    if (prints)
+      std::printf("\nresults      not kept; to keep them, add -o %s\n",
+                  with_ending(std::filesystem::path(model_file).filename(), ".h5").c_str());
+    return;
+  }
+  if (prints) std::printf("\nresults      %s\n", run_options.output.c_str());
+  if (plot) {
+    draw(run_options.output, picture);
+    if (prints) std::printf("picture      %s\n", picture.c_str());
+  }
+  if (report) {
+    write_report(run_options.output, arguments.report);
+    if (prints) std::printf("report       %s\n", arguments.report.c_str());
+  }
 }
 
 void run_model(const RunArguments& arguments, const CLI::App& command) {
@@ -263,12 +250,11 @@ void add_run(CLI::App& app) {
                                        "stored there; MODEL and the original PETSc options need not be typed again"));
   names_a_file(run_command->add_option(
       "-o,--output", arguments->output,
-      "Results file (HDF5); without it --plot and --picture write MODEL.h5 in the current folder"));
+      "Results file (HDF5); without it --plot, --picture and --report write MODEL.h5 in the current folder"));
   run_command->add_flag("--plot", arguments->plot, "Draw the standard picture next to the results file; see -o");
-  run_command->add_flag(
-      "--report", arguments->report,
-      "Draw all pictures next to the results file: the standard one, the extremes over the height with and without "
-      "links, and for each structure the spectrum of the floor with the largest acceleration");
+  is_report(run_command->add_option("--report", arguments->report,
+                                    "Write a report of two pages: .pdf or .html; without -o the results are kept in "
+                                    "MODEL.h5 in the current folder"));
   names_a_file(run_command->add_option("--picture", arguments->picture, "Name of the picture"));
   run_command->add_flag("--json", arguments->json, "Print the summary as one JSON object");
   run_command->add_flag("-q,--quiet", arguments->quiet, "Print only warnings and errors");

@@ -101,6 +101,7 @@ int serve(int argc, char** argv) {
   add_record(app);
   add_spectrum(app);
   add_plot(app);
+  add_report(app);
   add_animate(app);
   add_view(app);
   add_export(app);

@@ -153,16 +153,6 @@ std::string show_floor_spectrum(const FloorArguments& arguments) {
 
 }  // namespace
 
-std::string draw_floor_spectrum(const std::string& results, const std::string& floor, const std::string& direction,
-                                const std::string& picture) {
-  FloorArguments arguments;
-  arguments.results = results;
-  arguments.floor = floor;
-  arguments.direction = direction;
-  arguments.spectrum.picture = picture;
-  return show_floor_spectrum(arguments);
-}
-
 void add_spectrum(CLI::App& app) {
   const auto arguments = std::make_shared<FloorArguments>();
   CLI::App* const command = app.add_subcommand("spectrum", "Response spectrum of the motion of a floor");

@@ -54,6 +54,8 @@ void print_spectra(const std::string& title, const std::vector<NamedSpectrum>& s
   }
 }
 
+}  // namespace
+
 std::string spectra_json(const std::string& title, double damping, const std::vector<NamedSpectrum>& spectra) {
   nlohmann::ordered_json all = nlohmann::ordered_json::array();
   for (const NamedSpectrum& s : spectra) {
@@ -72,8 +74,6 @@ std::string spectra_json(const std::string& title, double damping, const std::ve
   const nlohmann::ordered_json whole{{"title", title}, {"damping", damping}, {"spectra", all}};
   return whole.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
 }
-
-}  // namespace
 
 void SpectrumArguments::add_to(CLI::App& command) {
   command.add_option("--damping", damping, "Damping ratio")->capture_default_str();

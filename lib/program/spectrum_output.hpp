@@ -27,6 +27,9 @@ struct NamedSpectrum {
   std::vector<SpectrumPoint> points;
 };
 
+/// JSON object of spectra for Python: "title", "damping" and "spectra".
+std::string spectra_json(const std::string& title, double damping, const std::vector<NamedSpectrum>& spectra);
+
 /// Prints the names of the files written by show_spectra.
 void tell_written(const SpectrumArguments& arguments);
 

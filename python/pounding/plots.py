@@ -84,7 +84,7 @@ def main(arguments: list[str] | None = None) -> int:
         default="run",
         help="run (histories and impacts), model (the structures at rest), profiles (extremes over the height), plan (a "
         "map of drifts and impacts), loops (of the six parts with the largest energy losses, or of contacts), hinges (a map of "
-        "yielded parts), or one panel",
+        "yielded parts), worst (members and yielding parts with the largest increases by contact), or one panel",
     )
     parser.add_argument(
         "--floors", type=_floor_choice, help="of whose displacements the standard picture shows: A.3,B.2"

@@ -238,6 +238,8 @@ class RunData(printing.ReportLines, lines=printing.run):
     reduction: dict[str, dict[str, Any]] = field(default_factory=dict)
     #: y, z -> [time] ground acceleration along the other axes [m/s^2]
     ground_across: dict[str, np.ndarray] = field(default_factory=dict)
+    created: str = ""  #: time at which the run began, such as 2026-01-31T12:00:00Z; empty if not known
+    version: str = ""  #: of the program; empty if not known
     #: The complete run without links (`compare: no_pounding`), with the same source; None if it was not requested.
     no_pounding: RunData | None = field(default_factory=lambda: None)
 
@@ -309,6 +311,8 @@ def _contents(file: h5py.Group) -> dict[str, Any]:
     return {
         "title": text(file.attrs["title"]),
         "status": text(file.attrs["status"]),
+        "created": text(file.attrs.get("created", "")),
+        "version": text(file.attrs.get("version", "")),
         "time": file["time"][:],
         "ground_acceleration": file["ground/acceleration"][:],
         "ground_across": {

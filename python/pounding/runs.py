@@ -10,11 +10,11 @@ from dataclasses import dataclass, fields
 from os import PathLike
 from typing import TYPE_CHECKING, Any
 
-from pounding import arguments
+from pounding import arguments, comparison
 from pounding.arguments import flag, number, optional, takes, text, whole
 from pounding.pictures.html import run_html
 from pounding.results import RunData
-from pounding.spectra import Spectrum, floor_spectrum
+from pounding.spectra import Spectrum, floor_spectrum, ground_spectra
 
 if TYPE_CHECKING:
     import pandas
@@ -75,7 +75,8 @@ class Run(RunData):
 
         `picture` is "run" (histories and impacts), "displacement", "rotation" (of rigid floors in space), "gap",
         "force", "energy", "model" (structures at rest), "profiles" (extremes over the height), "plan" (a map of drifts
-        and impacts of frames in space), "hinges" (a map of yielded parts), "loops" (force over deformation of the six
+        and impacts of frames in space), "hinges" (a map of yielded parts), "worst" (members and yielding parts with the largest increases by contact),
+        "loops" (force over deformation of the six
         parts and devices with the largest energy losses, or contact loops if there are none) or "contact_loops" (force over
         penetration).
 
@@ -94,6 +95,20 @@ class Run(RunData):
         `results.no_pounding.spectrum(...)` is that without links. Uses the accelerations at the output times. Raises
         InputError if these are too far apart, with the output_step to use, and for an unknown floor."""
         return floor_spectrum(self, floor, damping, periods, direction=direction)
+
+    @takes(kind=text, by=text)
+    def worst(self, kind: str = "members", *, by: str = "ratio") -> list[dict[str, Any]]:
+        """The five worst members or hinges of a run with `compare: no_pounding`; see `pounding.comparison.worst`."""
+        return comparison.worst(self.summary, kind, by)
+
+    @takes(path=arguments.file)
+    def report(self, path: str | PathLike[str]) -> None:
+        """Writes a report of about two A4 pages, .pdf or .html: model, assumptions, ground motion with its spectrum,
+        verdict, responses with and without links, impacts, energies and warnings.
+
+        Raises InputError for another suffix and for an existing file that is not a report, OSError, ImportError
+        without matplotlib."""
+        _needing("matplotlib", "pounding.report").write_report(self, path, spectra=ground_spectra(self))
 
     @takes(
         path=optional(arguments.file),

@@ -122,6 +122,24 @@ def floor_spectrum(
     )
 
 
+def ground_spectra(run: RunData, damping: float = 0.05) -> list[Spectrum]:
+    """Spectra of the ground motion of a run at its output times, one per direction in which the ground moves, named x,
+    y and z; 200 periods from 0.02 s to 4 s."""
+    from pounding._native import core
+
+    periods = _chosen(None)
+    return [
+        Spectrum(
+            axis,
+            periods,
+            damping,
+            np.asarray(core.spectrum(run.time.tolist(), values.tolist(), list(periods), damping)),
+        )
+        for axis, values in {"x": run.ground_acceleration, **run.ground_across}.items()
+        if len(values) > 1 and values.any()
+    ]
+
+
 @takes(title=text, size=optional(arguments.size))
 def spectra_figure(spectra: Sequence[Spectrum], title: str = "", size: tuple[float, float] | None = None) -> Figure:
     """Pseudo-acceleration and displacement over the period; the second spectrum is dashed. `size` is width and height

@@ -150,7 +150,7 @@ class CommandsInSentences(Lines):
                     words = [given.get(word, word) for word in words]
                     if len(words) == 2:  # an option without an argument
                         words += ["yields.yaml", "--structure", "left", "--to", "2 % roof"]
-                if words[0] == "plot" and words[-1] in ("loops", "hinges"):  # needs yielding parts
+                if words[0] == "plot" and words[-1] in ("loops", "hinges", "worst"):  # needs yielding parts
                     (self.folder / "yields.yaml").write_text(YIELDS)
                     self.done(part("POUNDING_PROGRAM"), "run", "yields.yaml", "-q", "-o", "yields.h5")
                     words = ["yields.h5" if word == "out.h5" else word for word in words]

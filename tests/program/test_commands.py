@@ -11,11 +11,11 @@ import h5py
 from support import LONG, OSCILLATORS, PROGRAM, UNSOLVABLE, ProgramTest
 from messages import assert_mentions
 
-SUMMARY_KEYS = ["status", "links", "impacts", "structures", "energy", "solver", "warnings"]
+SUMMARY_KEYS = ["status", "links", "impacts", "structures", "energy", "solver", "model", "warnings"]
 LINK_KEYS = ["name", "impacts", "peak_force", "peak_penetration", "impulse", "energy_lost", "energy_stored", "presses"]
 STRUCTURE_KEYS = ["peak_displacement", "peak_drift", "peak_acceleration", "envelope"]
 ENERGY_KEYS = ["input", "kinetic", "strain", "damping", "hysteretic", "impact", "error"]
-SOLVER_KEYS = ["integrator", "steps", "rejected", "events", "wall_seconds"]
+SOLVER_KEYS = ["integrator", "tolerance", "duration", "steps", "rejected", "events", "wall_seconds"]
 
 
 class ExitCodes(ProgramTest):
@@ -134,7 +134,7 @@ accept: [motion]
     def test_compares_with_the_same_structures_apart(self):
         alone = self.summary(self.write(OSCILLATORS[: OSCILLATORS.index("links:")] + "analysis: {duration: 3.0}\n"))
         summary = self.summary(self.write(OSCILLATORS + "compare: no_pounding\n"))
-        self.assertEqual(list(summary), SUMMARY_KEYS[:-1] + ["no_pounding", "warnings"])
+        self.assertEqual(list(summary), SUMMARY_KEYS[:-2] + ["no_pounding", "comparison", "model", "warnings"])
         for name, structure in alone["structures"].items():
             without = summary["no_pounding"]["structures"][name]["peak_displacement"][0]
             self.assertTrue(math.isclose(without, structure["peak_displacement"][0], rel_tol=1e-3))

@@ -157,6 +157,9 @@ void keep_mode(const fs::path& earlier, const Descriptor& file) {
 
 const FileKind results_files{"results of pounding", "-o results.h5", is_results};
 const FileKind picture_files{"picture", "-o picture.png", is_picture};
+const FileKind run_report_files{"report", "--report report.pdf", [](std::string_view start) {
+                                  return start.starts_with("%PDF-") || start.starts_with("<!DOCTYPE html>");
+                                }};
 
 Descriptor::~Descriptor() {
   if (number_ >= 0) close(number_);

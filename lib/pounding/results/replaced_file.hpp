@@ -38,6 +38,8 @@ struct FileKind {
 extern const FileKind results_files;
 /// Pictures in any format that Python writes.
 extern const FileKind picture_files;
+/// Reports of runs, PDF or HTML.
+extern const FileKind run_report_files;
 
 /// A file that one process replaces repeatedly. From the first `replace` to the destruction of this object, it is
 /// locked against other writers, but not against readers. The kernel releases the lock if the process dies.

@@ -7,6 +7,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <pounding/results/comparison.hpp>
+
 namespace pounding {
 namespace {
 
@@ -280,7 +282,7 @@ std::string to_json(const Summary& summary) {
                      {"seat", s.seat.value_or(none)},
                      {"unseated", s.unseated()}});
   const EnergySummary& e = summary.energy;
-  Json all = object_of(11);
+  Json all = object_of(14);
   all["status"] = summary.status;
   all["links"] = std::move(links);
   all["impacts"] = impacts_json(summary);
@@ -288,6 +290,8 @@ std::string to_json(const Summary& summary) {
   all["energy"] = {{"input", e.input},           {"kinetic", e.kinetic}, {"strain", e.strain}, {"damping", e.damping},
                    {"hysteretic", e.hysteretic}, {"impact", e.impact},   {"error", e.error}};
   all["solver"] = {{"integrator", summary.integrator},
+                   {"tolerance", summary.tolerance},
+                   {"duration", summary.duration},
                    {"steps", summary.solver.steps},
                    {"rejected", summary.solver.rejected},
                    {"events", summary.solver.events},
@@ -316,6 +320,8 @@ std::string to_json(const Summary& summary) {
     part["amplification"] = std::move(amplification);
     part["separations"] = separations_json(summary.separations, summary.without_links_status == "done");
   }
+  if (!summary.without_pounding.empty()) all["comparison"] = comparison_json(summary);
+  if (!summary.model_json.empty()) all["model"] = Json::parse(summary.model_json);
   all["warnings"] = summary.warnings;
   // Names in a model may not be valid UTF-8, which JSON requires.
   return all.dump(-1, ' ', false, Json::error_handler_t::replace);

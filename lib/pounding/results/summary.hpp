@@ -112,6 +112,8 @@ struct Summary {
   std::string without_links_status;         ///< status of that run, as above
   std::vector<LinkSeparation> separations;  ///< from that run, one per link
   std::vector<ImpactRow> impacts;           ///< in order of touch; `link` is an index into `links`
+  double tolerance = 0, duration = 0;       ///< in effect, including options [-], [s]
+  std::string model_json;                   ///< assumptions_json() of the model; empty if not requested
 };
 
 /// The object that `pounding run --json` prints, on one line.

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include <pounding/core/error.hpp>
+#include <pounding/results/comparison.hpp>
 
 namespace pounding {
 namespace {
@@ -350,6 +351,7 @@ std::string to_table(const Summary& summary) {
     text += '\n' + torsion;
   if (const std::string forces = forces_table(summary.structures); !forces.empty()) text += '\n' + forces;
   if (const std::string springs = springs_table(summary.structures); !springs.empty()) text += '\n' + springs;
+  if (const std::string compared = comparison_table(summary); !compared.empty()) text += '\n' + compared;
   if (!summary.devices.empty()) text += '\n' + devices_table(summary.devices);
   if (!summary.separations.empty()) text += '\n' + separations_table(summary.separations);
   if (!summary.links.empty()) text += '\n' + links_table(summary.links);

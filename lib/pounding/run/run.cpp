@@ -16,6 +16,7 @@
 #include <pounding/petsc/ranks.hpp>
 #include <pounding/recording/recorder.hpp>
 #include <pounding/reduction/reduced_solver.hpp>
+#include <pounding/reports/assumptions.hpp>
 #include <pounding/results/replaced_file.hpp>
 #include <pounding/run/reduction_plan.hpp>
 #include <pounding/run/reduction_report.hpp>
@@ -53,6 +54,16 @@ struct Task {
   EffectiveSettings settings;
   WriteResults write;  // empty if no file is written
   Results heading;     // without histories and end state
+  std::string model_json = options.numbers_only ? "" : assumptions_json(model);
+
+  // An outcome before its run.
+  Outcome outcome() const {
+    Outcome made{heading, {}};
+    made.summary.model_json = model_json;
+    made.summary.tolerance = settings.stepper.tolerance;
+    made.summary.duration = settings.duration;
+    return made;
+  }
 };
 
 Results heading(const Model& model, const RunOptions& options, const EffectiveSettings& settings) {
@@ -74,7 +85,7 @@ std::optional<Outcome> try_run(const Task& task, bool with_links, const Outcome&
   const Model& model = task.model;
   const RunOptions& options = task.options;
   const EffectiveSettings& settings = task.settings;
-  Outcome outcome{task.heading, {}};
+  Outcome outcome = task.outcome();
   Results& results = outcome.results;
   if (!without.summary.structures.empty()) {
     outcome.summary.without_pounding = without.summary.structures;
@@ -152,7 +163,7 @@ Outcome run_once(const Task& task, bool with_links, const Outcome& without, cons
 
 // Outcome to write while the run without links has these results.
 Outcome first_part(const Task& task, const Results& without_links) {
-  Outcome outcome{task.heading, {}};
+  Outcome outcome = task.outcome();
   Results& results = outcome.results;
   results.no_pounding = image_to_add(without_links);
   const std::string failed = "failed: ";

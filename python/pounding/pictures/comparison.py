@@ -14,7 +14,7 @@ from pounding.pictures.style import DASHED, ENERGY_UNITS, MM, BadRequest, engine
 from pounding.results import Link, RunData, Structure
 
 #: Pictures that can show a run without links.
-COMPARABLE = ("run", "displacement", "rotation", "gap", "energy", "profiles", "plan")
+COMPARABLE = ("run", "displacement", "rotation", "gap", "energy", "profiles", "plan", "worst")
 
 
 def require_comparison(run: RunData, picture: str) -> RunData:

@@ -21,6 +21,7 @@ from pounding.pictures.run_picture import standard_figure
 from pounding.pictures.spring_loops import loops_figure, most_energy
 from pounding.pictures import style
 from pounding.pictures.style import NARROW, BadRequest
+from pounding.pictures.worst import worst_figure
 from pounding.results import RunData
 
 WHOLE: dict[str, Callable[..., Figure]] = {
@@ -30,6 +31,7 @@ WHOLE: dict[str, Callable[..., Figure]] = {
     "plan": plan_figure,
     "loops": loops_figure,
     "hinges": hinges_figure,
+    "worst": worst_figure,
 }
 OVER_TIME: dict[str, Callable[..., None]] = {
     "displacement": draw_displacements,

@@ -153,7 +153,8 @@ def _marks(scene: Scene, measure: Measure) -> Iterator[Mark]:
 
 
 def part_points(scene: Scene, structure: Structure, part: str) -> np.ndarray | None:
-    """Position of a part; None if it has none in the line model."""
+    """[1 or 2, 3] position of a yielding part at rest in the scene [m], two ends of a storey; None if it has none in the
+    line model."""
     nodes = scene.at_rest(structure.name)
     kind, _, number = part.partition(" ")
     if structure.geometry is None:

@@ -66,7 +66,7 @@ def profiles_figure(
             along = "" if len(rows) == 1 or axis == "rz" else f" along {axis}" if width >= NARROW else f", {axis}"
             axes.set_title(f"({letter}) {axes.get_title(loc='left')}{along}")
         for line in grid:
-            line[0].set_ylabel(_height_label(structures))
+            line[0].set_ylabel(height_label(structures))
             line[0].yaxis.set_major_locator(
                 MaxNLocator(integer=True, nbins=int(np.clip(4 * (height - 0.9) / lines, 2, 12)))
             )
@@ -188,7 +188,8 @@ def _levels(structure: Structure, run: RunData) -> np.ndarray:
     return np.array([ground, *structure.elevations])
 
 
-def _height_label(structures: list[Structure]) -> str:
+def height_label(structures: list[Structure]) -> str:
+    """Label of the vertical axis: elevations if all are known."""
     return "Elevation [m]" if all(floor_heights(structure)[1] for structure in structures) else "Floor"
 
 

@@ -1,0 +1,38 @@
+"""Rankings of members and yielding parts by their responses with and without links (`compare: no_pounding`)."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+from pounding.errors import InputError, excerpt
+
+#: Length of a ranking.
+WORST = 5
+KINDS, ORDERS = ("members", "hinges"), ("ratio", "demand")
+
+
+def worst(summary: Mapping[str, Any], kind: str = "members", by: str = "ratio") -> list[dict[str, Any]]:
+    """The five worst members or hinges of all structures, from the object of `pounding run --json`.
+
+    `kind` is "members" or "hinges", which includes yielding storeys, isolators and devices. `by` is "ratio", response
+    with links over that without, or "demand", with links: of members the force relative to the largest of its
+    component in the structure, of hinges the ductility. Each row has `structure` and the keys of the object; empty
+    without a comparison. Raises InputError for another `kind` or `by`."""
+    if kind not in KINDS:
+        raise InputError(f"unknown kind {excerpt(kind)}; known: {', '.join(KINDS)}")
+    if by not in ORDERS:
+        raise InputError(f"unknown order {excerpt(by)}; known: {', '.join(ORDERS)}")
+    rows = [
+        {"structure": name, **row}
+        for name, one in (summary.get("comparison") or {}).items()
+        for row in (one.get(kind) or {}).get(f"by_{by}", [])
+    ]
+    return sorted(rows, key=lambda row: -(measure(row, by) or 0))[:WORST]
+
+
+def measure(row: Mapping[str, Any], by: str) -> float | None:
+    """The number that ranks a row; None if a run ended early or nothing moved without links."""
+    if "ductility" in row:
+        return row["ductility"]["ratio" if by == "ratio" else "with"]
+    return row[by]
