@@ -234,7 +234,7 @@ class Models(Lines):
         """A pair of oscillators and two records."""
         (self.folder / "pair.yaml").write_text(PAIR)
         (self.folder / "records").mkdir(exist_ok=True)
-        for name, sign in (("one", 1), ("two", -1)):
+        for name, sign in (("one", 1), ("two", -1), ("three", 0.8)):
             values = " ".join(f"{sign * 0.1 * (-1) ** (i // 10):.7E}" for i in range(200))
             (self.folder / f"records/{name}.AT2").write_text(
                 "PEER NGA STRONG MOTION DATABASE RECORD\nA pulse\nACCELERATION TIME SERIES IN "
@@ -247,9 +247,12 @@ class Models(Lines):
             for text, _ in blocks(page, "yaml"):
                 with self.subTest(page.name):
                     (self.folder / "model.yaml").write_text(text)
-                    if "\nstudy:" in text:
+                    if "\nstudy:" in text or "\nrecords:" in text:
                         self.put_what_a_study_names()
-                    self.done(part("POUNDING_PROGRAM"), *["study"] * ("\nstudy:" in text), "check", "model.yaml")
+                    if "\nrecords:" in text:
+                        self.done(part("POUNDING_PROGRAM"), "suite", "model.yaml", "-j", "0")
+                    else:
+                        self.done(part("POUNDING_PROGRAM"), *["study"] * ("\nstudy:" in text), "check", "model.yaml")
                     count += 1
         self.assertGreaterEqual(count, 2)
 

@@ -81,7 +81,7 @@ KERNEL = 0
 
 
 def _by_alternatives(batch: Batch, run: Callable[[Batch], Done]) -> Done:
-    """Runs rows in groups with the same alternatives, each with a template of its own."""
+    """Runs rows in groups with the same alternatives, each with a separate template."""
     chosen = batch.template.alternatives
     done = nothing_of(batch)
     labels, which = np.unique(batch.values[:, chosen], axis=0, return_inverse=True)

@@ -138,7 +138,7 @@ def _fragility(
         divisor, unit = _unit(abs(value), study.units.get(column, ""))
         condition = f"{condition} > {f'{value / divisor:g} {unit}'.strip()}"
     one = [(f"{name} {_value_text(study, name, level)}", {**values, name: level}) for level in levels] or [("", values)]
-    is_narrow = axes.figure.get_figwidth() < 4.5
+    is_narrow = _width(axes) < 4.5
     problems, unfitted = [], []
     for i, (label, chosen) in enumerate(one):
         try:
@@ -149,7 +149,7 @@ def _fragility(
             problems.append(f"{label}: {error}")
             continue
         colour = f"C{i}" if levels else "black"
-        at = {"color": colour, "markersize": 3 if levels else 4}
+        at: dict[str, Any] = {"color": colour, "markersize": 3 if levels else 4}
         axes.plot(
             curve.im / GRAVITY, curve.exceeded / curve.count, "o", label=None if levels else "fraction of rows", **at
         )
@@ -195,9 +195,16 @@ def _pooled(study: Rows, chosen: list[str]) -> str:
     return f"all values of {', '.join(others)} together" if others else ""
 
 
+def _width(axes: Axes) -> float:
+    """Width of the figure of a panel [in]."""
+    figure = axes.get_figure(root=True)
+    assert figure is not None
+    return float(figure.get_figwidth())
+
+
 def _head(axes: Axes, lines: list[str]) -> None:
     """Small title of a panel, wrapped to its width."""
-    width = max(30, int(14 * axes.figure.get_figwidth()))
+    width = max(30, int(14 * _width(axes)))
     axes.set_title("\n".join(part for line in lines if line for part in textwrap.wrap(line, width)), fontsize=7)
 
 
@@ -292,14 +299,16 @@ def _map(axes: Axes, study: Rows, column: str, across: str, along: str, percent:
     if is_ratio:
         # White is 1: the links change nothing.
         half = max(float(np.abs(finite - 1).max(initial=0)), 1e-3)
-        colours, norm = colormaps["RdBu_r"].with_extremes(over="black"), CenteredNorm(1, half)
+        colours = colormaps["RdBu_r"].with_extremes(over="black")
+        norm: Normalize = CenteredNorm(1, half)
     else:
         low, high = (0.0, float(finite.max(initial=0)) or 0.5) if infinite else (None, None)
-        colours, norm = colormaps["viridis"].with_extremes(over="tab:red"), Normalize(low, high)
+        colours = colormaps["viridis"].with_extremes(over="tab:red")
+        norm = Normalize(low, high)
     mesh = axes.pcolormesh(
         found.across / width, found.along / height, drawn, shading="nearest", cmap=colours, norm=norm
     )
-    is_narrow = axes.figure.get_figwidth() < 4.5
+    is_narrow = _width(axes) < 4.5
     bar = axes.figure.colorbar(mesh, ax=axes, extend="max" if infinite else "neither")
     about = f"{label}, {'median' if percent == 50 else f'{percent:g} %'}"
     if infinite:
@@ -344,4 +353,4 @@ def _tornado(axes: Axes, study: Rows, column: str, **values: Any) -> None:
     axes.set_yticks(range(len(found)), [name for name, _, _ in reversed(found)])
     beyond = "; the right end is collapse" if np.isinf(medians).any() else ""
     text = f"median of {label}{beyond}, lowest against highest tenth of each factor"
-    axes.set_xlabel("\n".join(textwrap.wrap(text, max(30, int(13 * axes.figure.get_figwidth())))))
+    axes.set_xlabel("\n".join(textwrap.wrap(text, max(30, int(13 * _width(axes))))))

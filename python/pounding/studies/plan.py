@@ -7,7 +7,7 @@ import hashlib
 import json
 import math
 import os
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping
 from dataclasses import asdict, dataclass, field, replace
 from os import PathLike
 from pathlib import Path
@@ -22,21 +22,20 @@ from pounding.models import PARTS, Model, as_model
 from pounding.studies import reading
 from pounding.studies.bare_numbers import bare_number_warnings
 from pounding.studies.cut_records import cut_records, with_cuts
-from pounding.studies.factors import Factor, find, read_factors, with_files
+from pounding.studies.factors import Factor, read_factors, with_files
 from pounding.studies.files import Files, absolute, by_content
 from pounding.studies.functions import Function, functions_of
 from pounding.studies.gap_factors import GapFactors
-from pounding.studies.motions import (
-    Intensity,
-    Motion,
-    implausible,
-    measured,
-    read_intensity,
-    repeated,
-    scaling_warnings,
+from pounding.studies.motions import Intensity, implausible, measured, read_intensity, repeated, scaling_warnings
+from pounding.studies.plan_checks import (
+    require_free_names,
+    require_kept,
+    require_one_ground,
+    require_own_strength,
+    require_scales,
 )
 from pounding.studies.prepared import prepared
-from pounding.studies.quantities import COLLAPSED_COLUMN, UNITS, Kept, read_keep, read_limits
+from pounding.studies.quantities import UNITS, Kept, read_keep, read_limits
 from pounding.studies.sampling import Points, read_points
 from pounding.studies.scaling import scale
 from pounding.studies.sections import text_with, text_without
@@ -114,7 +113,7 @@ class Plan:
     def description(self) -> dict[str, Any]:
         """Everything that determines the rows, for the table and for comparisons of plans."""
         sample = np.ascontiguousarray(self.points.sample)
-        found = {
+        found: dict[str, Any] = {
             "model": self.template.model,
             "factors": [factor.description() for factor in self.points.factors],
             "sampling": {
@@ -240,8 +239,8 @@ def make_plan(
         model._files = Files({**typed_files, **files})
         of_model = core.check(model._source())[2]
     if has_records:
-        _require_one_ground(parts)
-        _require_kept(one.get("factors", {}))
+        require_one_ground(parts)
+        require_kept(one.get("factors", {}))
         parts.pop("ground_motion", None)
         parts |= {"ground_motion": beside} if beside else {}
 
@@ -252,20 +251,20 @@ def make_plan(
     drawn = GapFactors(one.get("factors", {}), parts, layout_of)
     parts = drawn.parts
     factors = [drawn.applied(factor) for factor in read_factors(drawn.factors, parts)]
-    _require_free_names(factors)
+    require_free_names(factors)
     points = read_points(factors, one["sampling"], seed, parts, folder)
     factors = [_with_files(factor, parts, Path(model._file).parent, files) for factor in points.factors]
     points = replace(points, factors=tuple(factors))
     intensity = read_intensity(one.get("intensity"), _first_periods(model) if "intensity" in one else ())
-    _require_own_strength(factors, parts, intensity)
+    require_own_strength(factors, parts, intensity)
     motions = measured(motions, intensity, files)
     recorded, scaling = motions, None
     if suite is not None and "scale_to" in suite:
         scaling = scale(suite["scale_to"], motions, _first_periods(model), folder, files)
         motions = scaling.scaled(motions)
-    _require_scales(motions, intensity)
+    require_scales(motions, intensity)
     if intensity and intensity.levels:
-        _require_one_ground(parts)
+        require_one_ground(parts)
     layout = layout_of(parts)
     keep = [*typed, *(function.call for function in functions)] if functions else one.get("keep")
     kept = (
@@ -364,70 +363,6 @@ def _refused_labels(plan: Plan) -> Iterator[str]:
                 core.check(core.Source(yaml_text.emit(case), _place(template), files))
             except InputError as error:
                 yield f"study.factors.{factor.name}: rows with {factor.labels[label]} will be refused: {error}"
-
-
-def _require_one_ground(parts: Mapping[str, Any]) -> None:
-    """Raises InputError if a structure or support has its own motion, which records and levels do not change."""
-
-    def find(part: Any, place: str) -> None:
-        for key, value in part.items() if isinstance(part, Mapping) else ():
-            if key == "ground_motion":
-                raise InputError(
-                    f"{place}.ground_motion: is the same in every row, regardless of records and levels; remove it, or the records and "
-                    "the intensity of the study"
-                )
-            find(value, f"{place}.{key}")
-
-    for name, structure in (parts.get("structures") or {}).items():
-        find(structure, f"structures.{name}")
-
-
-def _require_kept(factors: Mapping[str, Mapping[str, Any]]) -> None:
-    """Raises InputError for a factor of the ground motion of the model if records replace it."""
-    for name, one in factors.items():
-        paths = one.get("of", [])
-        for path in [paths] if isinstance(paths, str) else paths:
-            first, _, rest = path.partition(".")
-            if first == "ground_motion" and rest.partition(".")[0] != "wave":
-                raise InputError(
-                    f"study.factors.{name}.of: the records replace the ground motion of the model; vary intensity instead of {path}"
-                )
-
-
-def _require_own_strength(factors: Sequence[Factor], parts: Mapping[str, Any], intensity: Intensity | None) -> None:
-    """Raises InputError for a factor that sets the strength of the ground motion if the study has an intensity."""
-    strength = ("ground_motion", "synthetic", "pga")
-    for factor in factors if intensity else ():
-        if any(keys == strength for path in factor.of for keys in find(parts, path, "")):
-            raise InputError(
-                f"study.factors.{factor.name}.of: intensity sets or measures ground_motion.synthetic.pga; type its values as levels, or leave "
-                "intensity out"
-            )
-
-
-def _require_free_names(factors: list[Factor]) -> None:
-    """Raises InputError if the name of a factor is that of another column of the table."""
-    taken = (*UNITS, COLLAPSED_COLUMN, "point", "record", "scale", "im", "status", "engine")
-    for factor in factors:
-        if factor.name in taken:
-            raise InputError(
-                f"study.factors.{factor.name}: the table already has a column of this name; rename the factor, for example to {factor.name}_factor"
-            )
-
-
-def _require_scales(motions: Sequence[Motion], intensity: Intensity | None) -> None:
-    """Raises InputError if no finite factor scales a motion to a level."""
-    levels = intensity.levels if intensity else ()
-    for motion in motions if levels else ():
-        if (
-            not motion.intensity > 0
-            or not math.isfinite(max(levels) / motion.intensity)
-            or min(levels) / motion.intensity == 0
-        ):
-            raise InputError(
-                f"study.intensity: {motion.name} has the intensity {motion.intensity:g} m/s^2, which cannot be scaled to "
-                f"{min(levels):g} to {max(levels):g} m/s^2; type other levels, another measure or period, or leave the motion out"
-            )
 
 
 def _place(template: Template) -> str:

@@ -70,12 +70,12 @@ def _tuples(value: Any) -> Any:
 def scale(
     one: Mapping[str, Any], motions: Sequence[Motion], periods: Sequence[float], folder: Path, files: Files
 ) -> Scaling:
-    """The scaling that `scale_to` asks for; `periods` are the first periods of the structures [s]. Raises
+    """The scaling specified by `scale_to`; `periods` are the first periods of the structures [s]. Raises
     InputError."""
     for motion in motions:
         if not motion.is_record:
             raise InputError(
-                "records.scale_to: scales records, and artificial earthquakes have a spectrum of their own; name files, or remove scale_to"
+                "records.scale_to: scales records, and the spectrum of artificial earthquakes is given by their soil; name files, or remove scale_to"
             )
     damping = one["damping"]
     target = read_target(one["spectrum"], damping, folder)

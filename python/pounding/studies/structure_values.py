@@ -19,15 +19,15 @@ OF_FLOORS = {
     "storey_shear": "N",
     "residual_drift": "m",
 }
-#: Of yielding parts, or of the hinges among them.
+#: Quantities of yielding parts, or of the hinges among them.
 OF_PARTS = {"ductility": "", "plastic_rotation": "rad"}
-#: Of both ends of members, by component: N, Vz, My and so on.
+#: Forces at both ends of members, by component: N, Vz, My and so on.
 OF_MEMBERS = {"member_force": "N"}
 OF_TORSION = {"rotation": "rad", "edge_displacement": "m"}
 UNITS = {**OF_FLOORS, **OF_TORSION, **OF_PARTS, **OF_MEMBERS}
-#: Those that the kernel computes.
+#: Quantities that the kernel computes.
 OF_KERNEL = ("displacement", "drift", "acceleration")
-#: Those in the complete summary of a run only.
+#: Quantities in the complete summary of a run only.
 OF_WHOLE = ("storey_shear", "residual_drift", *OF_PARTS, *OF_MEMBERS)
 SUFFIXES = (".alone", ".ratio")
 

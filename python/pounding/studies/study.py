@@ -290,7 +290,7 @@ def sweep(
                 f'sweep: takes a list of values for each path, such as {{"links.*.gap": ["10 mm", "20 mm"]}}; {excerpt(path)}: {excerpt(values)} was read'
             )
         keys = ["gap"] if path.startswith("gaps.") else path.split(".")
-        # Indices and names such as left-right are no names of columns.
+        # An index, or a name such as left-right, cannot be the name of a column.
         last = next((key for key in reversed(keys) if key.isidentifier()), "factor")
         name = next(each for each in (last, *(f"{last}_{i}" for i in range(2, len(named) + 3))) if each not in named)
         named[name] = {"of": path, "list": list(values)}

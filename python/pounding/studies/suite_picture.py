@@ -38,7 +38,7 @@ def profiles_figure(
     """Profiles of all structures, one row of panels per structure and one panel per quantity.
 
     Records are thin lines; the mean is a thick line, and the percentile a thick dashed one. The run without links has
-    another colour, unless `compare` is False. In a figure below 4.5 in a structure has one panel. Collapsed records end
+    another colour, unless `compare` is False. Figures narrower than 4.5 in have one panel per structure. Collapsed records end
     at the edge of the panel. Raises InputError."""
     percent = arguments.number(0, 100)("percent", percent)
     names = [name for name in suite.structures if suite.structure(name)["floors"]]

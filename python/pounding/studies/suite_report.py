@@ -171,7 +171,7 @@ def _block(
         row = [found.mean[i], *found.percentiles[:, i], found.max[i]]
         row += [without.mean[i], without.max[i]] if without is not None else []
         cells.append([_cell(value) for value in row])
-    first = [title, *(names[i] for i in rows)]
+    first = [title, *(names[i] for i in rows.tolist())]
     width = max(len(text) for text in first[1:] or [""])
     columns = [max(len(line[j]) for line in cells) for j in range(len(cells[0]))]
     return [

@@ -47,7 +47,8 @@ def summary(
     if column is not None:
         if column not in (*kept, COLLAPSED_COLUMN):
             raise InputError(f'unknown column "{column}"; known: {", ".join(kept)}')
-        curve = study.fragility(column, limit, **where)
+        given: dict[str, Any] = dict(where)
+        curve = study.fragility(column, limit, **given)
         found["fragility"] = {
             "theta": finite(curve.theta),
             "beta": finite(curve.beta),

@@ -21,14 +21,9 @@ LAWS = {
 
 
 def isolated(kind):
-    """A shear building on isolators beside a wall."""
+    """A shear building on isolators next to a wall."""
     building = {
-        "shear_building": {
-            "storeys": 3,
-            "mass": "300 t",
-            "stiffness": ["500 MN/m", "400 MN/m"],
-            "isolator": kind,
-        },
+        "shear_building": {"storeys": 3, "mass": "300 t", "stiffness": ["500 MN/m", "400 MN/m"], "isolator": kind},
         "damping": "2 %",
     }
     return pair(
@@ -59,7 +54,9 @@ class Alternatives(unittest.TestCase):
         )
         for row, kind in enumerate((LRB, FPS)):
             run = pounding.run(isolated(kind))
-            self.assertEqual(made["displacement.house"][row], max(run.summary["structures"]["house"]["peak_displacement"]))
+            self.assertEqual(
+                made["displacement.house"][row], max(run.summary["structures"]["house"]["peak_displacement"])
+            )
         self.assertNotEqual(*made["displacement.house"])
 
     def test_a_law_keeps_the_other_keys_of_its_link(self):
@@ -71,10 +68,7 @@ class Alternatives(unittest.TestCase):
         np.testing.assert_array_equal(made.choose(law="her"), [False, True])
 
     def test_both_engines_and_chunks_give_the_same_rows(self):
-        factors = {
-            "law": LAWS,
-            "period": {"of": "structures.right.oscillator.period", "list": ["0.3 s", "0.5 s"]},
-        }
+        factors = {"law": LAWS, "period": {"of": "structures.right.oscillator.period", "list": ["0.3 s", "0.5 s"]}}
         one = pounding.study(pair(), factors, keep=["force"], workers=0)
         two = pounding.study(pair(), factors, keep=["force"], workers=0, chunk=1)
         self.assertEqual(one["force"].tobytes(), two["force"].tobytes())
@@ -84,10 +78,7 @@ class Alternatives(unittest.TestCase):
         for factors, facts in (
             ({"law": {"of": "links.0.gap", "alternatives": {"a": {"x": 1}}}}, ["links.0.gap", "list"]),
             ({"law": {"of": "links.0", "alternatives": {"a": "hertz"}}}, ["alternatives.a", "map"]),
-            (
-                {"law": LAWS, "gap": {"of": "links.*.gap", "list": ["1 mm"]}},
-                ["links.0.gap", "links.0", "law"],
-            ),
+            ({"law": LAWS, "gap": {"of": "links.*.gap", "list": ["1 mm"]}}, ["links.0.gap", "links.0", "law"]),
         ):
             with self.subTest(facts=facts), raises(InputError, facts):
                 pounding.study(pair(), factors, workers=0)
@@ -114,7 +105,10 @@ class Gaps(unittest.TestCase):
 
     def test_the_left_frame_moves_to_the_left_if_the_right_one_is_linked_to_a_third(self):
         model = self.model.copy()
-        third = {**model.structures["annex"], "frame": {**model.structures["annex"]["frame"], "origin": ["30.2 m", "0 m"]}}
+        third = {
+            **model.structures["annex"],
+            "frame": {**model.structures["annex"]["frame"], "origin": ["30.2 m", "0 m"]},
+        }
         model.structures = {**model.structures, "third": third}
         model.links = [*model.links, {**model.links[0], "between": ["annex", "third"]}]
         made = pounding.sweep(model, {"gaps.tower-annex": ["60 mm"]}, keep=["displacement.tower"])

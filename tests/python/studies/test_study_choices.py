@@ -77,10 +77,7 @@ class Choices(unittest.TestCase):
         self.assertEqual(len(lines), 6)
 
     def test_wrong_choices(self):
-        for words, facts in (
-            (["--where", "gap=4mm"], ["0.003"]),
-            (["--where", "gpa=4mm"], ["gpa", "gap"]),
-        ):
+        for words, facts in ((["--where", "gap=4mm"], ["0.003"]), (["--where", "gpa=4mm"], ["gpa", "gap"])):
             assert_mentions(self.told("show", self.table, *words, code=2), facts)
         for words in (["--where", "gap"], ["--percentile", "101"], ["--percentile", "x"]):
             with self.assertRaises(SystemExit), contextlib.redirect_stderr(io.StringIO()):

@@ -1,4 +1,4 @@
-"""Kept quantities of storeys, parts and members, and functions of Python, beside the summary of `pounding run`."""
+"""Kept quantities of storeys, parts and members, and functions of Python, compared with the summary of `pounding run`."""
 
 import os
 import tempfile

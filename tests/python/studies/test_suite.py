@@ -24,7 +24,7 @@ NAMES = [f"r{i}.csv" for i in range(4)]
 
 
 class Targets(unittest.TestCase):
-    """Spectra of codes beside values of their formulas by hand."""
+    """Spectra of codes compared with values of their formulas by hand."""
 
     def test_en_1998_1(self):
         # Type 1, ground C: S = 1.15, TB = 0.2 s, TC = 0.6 s, TD = 2 s; plateau 2.5 ag S = 0.8625 g for ag = 0.3 g.
@@ -125,7 +125,9 @@ class Scaling(Folder):
         row = pounding.Model._from_text(made.model_of(1), "row")
         self.assertAlmostEqual(float(row.ground_motion["scale"]), made.scaling.factors[1], places=14)
         run = pounding.run(row)
-        self.assertEqual(made.floors("left", "displacement")[1, 0], run.summary["structures"]["left"]["peak_displacement"][0])
+        self.assertEqual(
+            made.floors("left", "displacement")[1, 0], run.summary["structures"]["left"]["peak_displacement"][0]
+        )
 
     def test_en_1998_1_raises_the_zero_period(self):
         scale = {"spectrum": {"en1998_1": {"ag": "0.3 g", "soil": "C"}}, "from": "0.2 s", "to": "1 s"}
@@ -141,7 +143,10 @@ class Scaling(Folder):
             ({"from": "2 s", "to": "1 s"}, ["from", "to"]),
             ({"components": "srss"}, ["components"]),
             ({"spectrum": {"sa": ["1 g", "1 g"]}}, ["periods"]),
-            ({"spectrum": {"asce_7": {"SDS": "1 g", "SD1": "0.6 g", "TL": "8 s"}}, "damping": "2 %"}, ["ASCE 7", "5 %"]),
+            (
+                {"spectrum": {"asce_7": {"SDS": "1 g", "SD1": "0.6 g", "TL": "8 s"}}, "damping": "2 %"},
+                ["ASCE 7", "5 %"],
+            ),
             ({"spectrum": {"en1998_1": {"ag": "0.3 g", "soil": "F"}}}, ["soil"]),
             ({"methud": "mean"}, ["methud", "method"]),
         ):
@@ -161,7 +166,9 @@ class Runs(Folder):
         made = pounding.suite(pair(compare="no_pounding"), {"files": self.files}, workers=0)
         single = []
         for name in self.files:
-            run = pounding.run(pair(compare="no_pounding", ground_motion={"record": name}, analysis={"tolerance": "1e-3"}))
+            run = pounding.run(
+                pair(compare="no_pounding", ground_motion={"record": name}, analysis={"tolerance": "1e-3"})
+            )
             single.append(run.summary["structures"]["right"]["peak_displacement"][0])
         values = made.floors("right", "displacement")
         np.testing.assert_array_equal(values[:, 0], single)
@@ -190,7 +197,8 @@ class Runs(Folder):
             "damping": "5 %",
         }
         model = pair(
-            structures={"left": building, "right": {"wall": {}}}, analysis={"tolerance": "1e-3", "collapse_drift": "0.2 %"}
+            structures={"left": building, "right": {"wall": {}}},
+            analysis={"tolerance": "1e-3", "collapse_drift": "0.2 %"},
         )
         write_records(self.folder, ["weak.csv"], peak=0.01)
         made = pounding.suite(model, {"files": [*self.files[:2], str(self.folder / "weak.csv")]}, workers=0)
@@ -213,7 +221,9 @@ class Command(Folder):
         self.assertGreater((self.folder / "p.png").stat().st_size, 10000)
         read = json.loads(self.run_command(file, "-o", "s.h5", "--json", "-j", "0").stdout)
         table = Suite.open(self.folder / "s.h5")
-        self.assertEqual(read["structures"]["left"]["displacement"]["mean"][0], table.floors("left", "displacement").mean())
+        self.assertEqual(
+            read["structures"]["left"]["displacement"]["mean"][0], table.floors("left", "displacement").mean()
+        )
         self.assertEqual([one["name"] for one in read["records"]], NAMES)
         self.assertIn("required_gap", read)
 
