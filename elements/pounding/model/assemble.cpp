@@ -158,6 +158,11 @@ System assemble(const Model& model, bool with_links) {
   if (!modal.empty()) system.modal_damping = sparse_matrix(n, n, modal);
   system.stiffness = sparse_matrix(n, n, stiffness);
 
+  // Before the run, initial displacements load the springs slowly from the state at rest.
+  const bool is_displaced =
+      std::ranges::any_of(model.structures, [](const Structure& s) { return s.initial_displacement.any(); });
+  std::vector<double> loaded_from;
+
   // Ends and sign of a column, for the effect of the ground motion.
   struct Column {
     const LinkEnd *left = nullptr, *right = nullptr;
@@ -183,6 +188,8 @@ System assemble(const Model& model, bool with_links) {
     }
   const std::vector<Eigen::VectorXd> given_way = rests_by_yielding(model);
   for (std::size_t i = 0; i < model.structures.size(); ++i) {
+    if (is_displaced)
+      for (const double deformation : deformations_at_rest(model.structures[i])) loaded_from.push_back(deformation);
     add_entries(relief, model.structures[i].yielding_flexibility, static_cast<int>(system.springs.size()));
     for (const YieldingPart& part : model.structures[i].yielding) {
       add_row(closing, part.deformation, 1, first[i], static_cast<int>(columns.size()));
@@ -223,6 +230,10 @@ System assemble(const Model& model, bool with_links) {
   const int links = static_cast<int>(columns.size());
   system.gap_jacobian = sparse_matrix(n, links, closing);
   const int springs = static_cast<int>(system.springs.size());
+  if (is_displaced) {
+    loaded_from.resize(system.springs.size(), 0.0);  // devices between structures are undeformed at rest
+    system.loaded_from = Eigen::Map<const Eigen::VectorXd>(loaded_from.data(), springs);
+  }
   if (!relief.empty()) system.spring_flexibility = sparse_matrix(springs, springs, relief);
 
   Eigen::MatrixXd by_ground = Eigen::MatrixXd::Zero(links, system.load.cols());

@@ -56,8 +56,9 @@ void damp(Structure& s, const std::optional<Damping>& damping, const ModeSolver&
   }
 }
 
-// The plastic deformation of a storey that yields before the start is unknown.
+// With large rotations, K is not the stiffness of the displaced structure.
 void refuse_initial_yield(const Structure& s) {
+  if (!s.elastic) return;
   for (const YieldingPart& part : s.yielding) {
     const double strained = part.at_rest + part.deformation.dot(s.initial_displacement);
     if (const auto yield = yields_before(*part.spring, strained))

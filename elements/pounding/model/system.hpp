@@ -57,6 +57,9 @@ struct System {
   std::vector<Spring*> springs;
   std::vector<bool> is_part;  ///< per spring: true if K contains its stiffness (storey, hinge, isolator), false for a
                               ///< device; empty for none
+  /// Deformations of the springs at rest under gravity, from which an initial displacement of a structure loads them
+  /// slowly before the run. Empty without such displacements: the run starts from its initial state.
+  Eigen::VectorXd loaded_from;
   SparseMatrix spring_flexibility;  ///< R, springs x springs, symmetric; empty for none
   std::vector<Friction> frictions;
   std::vector<Group> groups;

@@ -50,6 +50,9 @@ class DeviceSpring final : public Spring {
   /// Slip at which a damper in series with a spring is at rest.
   double first_slip(const LinkMotion& motion) const noexcept override { return motion.penetration; }
   void start(const LinkMotion& motion) override;
+  void load(double deformation) override {
+    if (yielding_) yielding_->load(deformation);
+  }
   void accept(const LinkStep& step) override;
   /// The loss includes that of the damper.
   Spring::Instant inside(const LinkStep& step, double s, double deformation) const noexcept override;

@@ -67,6 +67,7 @@ class HystereticSpring : public Spring {
       if constexpr (!counts_loss) given_ = law_.stored(kept_);
     }
   }
+  void load(double deformation) override { follow(deformation); }
   void accept(const LinkStep& step) override {
     before_ = kept_;
     given_before_ = given_;

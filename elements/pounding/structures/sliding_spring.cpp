@@ -45,6 +45,12 @@ void SlidingSpring::start(const LinkMotion& motion) {
   if (kept_.deformation == 0 && motion.penetration != 0) kept_ = slid(kept_, motion);
 }
 
+void SlidingSpring::load(double deformation) {
+  const State before = kept_;
+  kept_ = slid(kept_, {deformation, 0});
+  kept_.lost += law_.coefficient(0) * law_.weight * std::abs(kept_.slip - before.slip);
+}
+
 laws::Response SlidingSpring::evaluate(const LinkMotion& motion) const noexcept {
   const double k0 = law_.stick(), elastic = k0 * (motion.penetration - kept_.slip);
   const double maximum = law_.coefficient(motion.rate) * law_.weight;

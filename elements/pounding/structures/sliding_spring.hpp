@@ -40,6 +40,8 @@ class SlidingSpring final : public Spring {
   bool bends_with_rate() const noexcept override { return true; }
   std::optional<double> bend(const Quintic& path, double near) const noexcept override;
   void start(const LinkMotion& motion) override;
+  /// Slides at the friction of a vanishing velocity.
+  void load(double deformation) override;
   void accept(const LinkStep& step) override;
   Spring::Instant inside(const LinkStep& step, double s, double deformation) const noexcept override;
   /// True if it comes to rest.

@@ -64,6 +64,9 @@ class Spring {
   virtual double first_slip(const LinkMotion& /*motion*/) const noexcept { return 0; }
   /// Called when a run starts with this motion, or resumes from it after it was modified.
   virtual void start(const LinkMotion& /*motion*/) {}
+  /// Loads the spring slowly and monotonically from its present state to this deformation, before a run; counts the
+  /// loss. For an initial displacement beyond yield.
+  virtual void load(double /*deformation*/) {}
   /// Called for each accepted step.
   virtual void accept(const LinkStep& step) = 0;
   /// Force and loss at one instant.

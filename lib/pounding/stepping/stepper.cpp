@@ -62,6 +62,11 @@ void Stepper::look_ahead() {
 
 void Stepper::start(double time, const Eigen::VectorXd& u, const Eigen::VectorXd& v) {
   describe_springs();
+  const Eigen::VectorXd& rest = equations_.system.loaded_from;
+  const bool is_loaded = !started_ && rest.size() > 0;
+  const auto springs_from = equations_.links.contacts(), springs_to = equations_.links.frictions_from();
+  for (int i = springs_from; is_loaded && i < springs_to; ++i)
+    equations_.links.spring(i).start({rest[i - springs_from], 0});
   const Energies before = started_ ? energies() : Energies{};
   const StructureSolver& solver = equations_.solver;
   Instant& now = history_.change_now();
@@ -80,14 +85,18 @@ void Stepper::start(double time, const Eigen::VectorXd& u, const Eigen::VectorXd
     equations_.slips.start(now);
     balance_now();
   }
-  for (int i = equations_.links.contacts(); i < equations_.links.frictions_from(); ++i)
-    equations_.links.spring(i).start(equations_.links.motion(i, now));
+  for (int i = springs_from; i < springs_to; ++i) {
+    const LinkMotion motion = equations_.links.motion(i, now);
+    if (is_loaded) equations_.links.spring(i).load(motion.penetration);
+    equations_.links.spring(i).start(motion);
+  }
   equations_.ranges.read();
   history_.restart();
   output_.forget();
   const Energies after = energies();
   ledger_.give(after.kinetic + after.strain - before.kinetic - before.strain);
-  if (!started_) ledger_.give(after.impact);  // energy of contacts that press at the start
+  if (!started_) ledger_.give(after.impact);      // energy of contacts that press at the start
+  if (is_loaded) ledger_.give(after.hysteretic);  // plastic work of the initial displacement
   norm_.start(now);
   started_ = true;
 }

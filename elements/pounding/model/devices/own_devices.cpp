@@ -10,7 +10,6 @@
 #include <pounding/core/units.hpp>
 #include <pounding/model/devices/device_parts.hpp>
 #include <pounding/model/drawing.hpp>
-#include <pounding/model/first_yield.hpp>
 #include <pounding/model/refuse_option.hpp>
 
 namespace pounding {
@@ -199,15 +198,9 @@ void Model::connect_within(const std::string& name, const StructureHandle& struc
   Row row = elongation(a, b, direction, s);
   require_motion(row, a, b, direction, parts.damper.has_value(), s);
   require_digits(parts, against(s.stiffness, row), against(s.mass, row));
-  const double strained = row.dot(s.initial_displacement);
   YieldingPart part(name, std::move(row), law_name(parts), numbers(parts), std::make_unique<DeviceSpring>(parts));
   part.kind = YieldingPart::Kind::device;
   part.device = fmt::format("{}, between {} and {}", describe(parts), a.label, b.label);
-  if (const auto yield = yields_before(*part.spring, strained))
-    refuse(
-        ModelOption::device,
-        fmt::format("is deformed by {} at the start, but yields at {}; displace {} less, or give an initial_velocity",
-                    format_quantity(strained, dimension::length), format_quantity(*yield, dimension::length), s.name));
   s.yielding.push_back(std::move(part));
   const auto count = static_cast<Eigen::Index>(s.yielding.size());
   if (s.yielding_flexibility.size() > 0) s.yielding_flexibility.conservativeResize(count, count);

@@ -19,7 +19,7 @@ bool moves_mass(const Structure& s, const Row& row) {
   return false;
 }
 
-// q = K^-1 R^T f with R q = d: the shape of minimum strain energy.
+// q = K^-1 R^T f with R q = d, the shape of minimum strain energy; plus the displacements due to yielding.
 Eigen::VectorXd held_shape(const Structure& s, const std::vector<Row>& rows, const Eigen::VectorXd& displacements) {
   if (s.rigid_motions > 0)
     throw std::invalid_argument(
@@ -37,7 +37,8 @@ Eigen::VectorXd held_shape(const Structure& s, const std::vector<Row>& rows, con
   if (solver.rank() < count)
     throw std::invalid_argument("two of the displacements are linearly dependent; keep one of them");
   const Eigen::VectorXd forces = scale.asDiagonal() * solver.solve(Eigen::VectorXd(scale.asDiagonal() * displacements));
-  return by_forces * forces;
+  const Eigen::VectorXd shape = by_forces * forces;
+  return shape + yielding_while_held(s, shape, rows);
 }
 
 }  // namespace

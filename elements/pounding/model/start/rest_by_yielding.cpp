@@ -1,10 +1,13 @@
 #include <pounding/model/start/start.hpp>
 
+#include <Eigen/Cholesky>
 #include <Eigen/LU>
 #include <stdexcept>
 #include <tuple>
 #include <utility>
 #include <vector>
+
+#include <fmt/format.h>
 
 #include <pounding/frames/static_solver.hpp>
 
@@ -17,10 +20,10 @@ constexpr double at_rest_solved = 1e-14, min_step_part = 1e-4;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-// Parts deformed by gravity, on the straight path from their initial state.
+// Parts of K on the straight path from their initial state; devices are installed afterwards.
 class StrainedParts {
  public:
-  explicit StrainedParts(const Structure& s) {
+  explicit StrainedParts(const Structure& s) : structure_(s) {
     for (std::size_t i = 0; i < s.yielding.size(); ++i) {
       const YieldingPart& part = s.yielding[i];
       Archive fresh(part.fresh);
@@ -38,38 +41,55 @@ class StrainedParts {
   }
 
   Eigen::Index size() const { return static_cast<Eigen::Index>(parts_.size()); }
-  bool straight() const { return size() == 0 || law(at_rest_).first.isZero(0); }
+  const std::vector<int>& indices() const { return parts_; }
+  const VectorXd& elastic_at_rest() const { return at_rest_; }
+  // True if no part leaves its initial stiffness on the way to these deformations.
+  bool straight(const VectorXd& deformations) const { return size() == 0 || law(deformations).first.isZero(0); }
 
-  // `s` is the structure with which they were created.
-  VectorXd displacement(const Structure& s) const {
-    StaticSolver solver(s.stiffness);
-    if (!solver.holds()) throw std::invalid_argument("it has no stiffness against gravity");
-    MatrixXd columns = MatrixXd::Zero(s.size(), size());
+  // B, one column per part.
+  MatrixXd columns() const {
+    MatrixXd columns = MatrixXd::Zero(structure_.size(), size());
     for (Eigen::Index j = 0; j < size(); ++j)
-      for (Row::InnerIterator it(s.yielding[static_cast<std::size_t>(parts_[j])].deformation); it; ++it)
+      for (Row::InnerIterator it(structure_.yielding[static_cast<std::size_t>(parts_[j])].deformation); it; ++it)
         columns(it.index(), j) = it.value();
-    const MatrixXd by_parts = solver.solve(columns);
-    MatrixXd flexibility = columns.transpose() * by_parts;
-    if (s.yielding_flexibility.size() > 0) flexibility += MatrixXd(s.yielding_flexibility)(parts_, parts_);
-    VectorXd forces = VectorXd::Zero(size());
-    auto [answer, slopes] = law(at_rest_);
+    return columns;
+  }
+  // R of the parts.
+  MatrixXd flexibility() const {
+    if (structure_.yielding_flexibility.size() == 0) return MatrixXd::Zero(size(), size());
+    return MatrixXd(structure_.yielding_flexibility)(parts_, parts_);
+  }
+  // Advances the springs to these deformations.
+  void start(const VectorXd& deformations) const {
+    for (Eigen::Index j = 0; j < size(); ++j) springs_[static_cast<std::size_t>(j)]->start({deformations[j], 0});
+  }
+
+  // Forces F of the parts and their deformations d = elastic - flexibility F. `load` is its name in the message.
+  struct Equilibrium {
+    VectorXd forces, deformations;
+  };
+  Equilibrium solve(const VectorXd& elastic, const MatrixXd& flexibility, const char* load) const {
+    Equilibrium found{VectorXd::Zero(size()), elastic};
+    auto [answer, slopes] = law(elastic);
     // The forces are differences between those of the laws and k d.
-    const double rounding = at_rest_solved * stiffness_.cwiseProduct(at_rest_).norm();
+    const double rounding = at_rest_solved * stiffness_.cwiseProduct(elastic).norm();
     for (int iteration = 0; iteration < max_newton_iterations; ++iteration) {
-      const VectorXd left = answer - forces;
-      if (left.norm() <= rounding) return -by_parts * forces;
+      const VectorXd left = answer - found.forces;
+      if (left.norm() <= rounding) return found;
       const MatrixXd tangent = MatrixXd::Identity(size(), size()) + slopes.asDiagonal() * flexibility;
       const VectorXd step = tangent.partialPivLu().solve(left);
       double part = 1;
-      VectorXd next = forces + step;
-      for (;; next = forces + (part /= 2) * step) {
-        std::tie(answer, slopes) = law(at_rest_ - flexibility * next);
-        if ((answer - next).norm() < left.norm() || part < min_step_part) break;
+      Equilibrium next{found.forces + step, {}};
+      for (;; next.forces = found.forces + (part /= 2) * step) {
+        next.deformations = elastic - flexibility * next.forces;
+        std::tie(answer, slopes) = law(next.deformations);
+        if ((answer - next.forces).norm() < left.norm() || part < min_step_part) break;
       }
-      if (part < min_step_part && left.norm() <= 1e3 * rounding) return -by_parts * forces;  // only round-off is left
-      forces = next;
+      if (part < min_step_part && left.norm() <= 1e3 * rounding) return found;  // only round-off is left
+      found = std::move(next);
     }
-    throw std::invalid_argument("no equilibrium of its parts under gravity was found; make them stronger");
+    throw std::invalid_argument(
+        fmt::format("no equilibrium of its parts under {} was found; make them stronger", load));
   }
 
  private:
@@ -82,17 +102,66 @@ class StrainedParts {
     return all;
   }
 
+  const Structure& structure_;
   std::vector<int> parts_;
-  std::vector<const Spring*> springs_;
+  std::vector<Spring*> springs_;
   VectorXd at_rest_, stiffness_;
 };
 
+// Gravity state: displacements q, empty without yielding, and deformations of the parts.
+struct Rest {
+  VectorXd displacement, deformations;
+};
+
+Rest rest_of(const StrainedParts& parts, const Structure& s) {
+  const VectorXd& elastic = parts.elastic_at_rest();
+  if (parts.straight(elastic)) return {{}, elastic};
+  StaticSolver solver(s.stiffness);
+  if (!solver.holds()) throw std::invalid_argument("it has no stiffness against gravity");
+  const MatrixXd columns = parts.columns(), by_parts = solver.solve(columns);
+  MatrixXd flexibility = columns.transpose() * by_parts;
+  if (s.yielding_flexibility.size() > 0) flexibility += parts.flexibility();
+  StrainedParts::Equilibrium found = parts.solve(elastic, flexibility, "gravity");
+  return {-by_parts * found.forces, std::move(found.deformations)};
+}
+
 }  // namespace
 
-VectorXd rest_by_yielding(const Structure& s) {
+VectorXd rest_by_yielding(const Structure& s) { return rest_of(StrainedParts(s), s).displacement; }
+
+VectorXd deformations_at_rest(const Structure& s) {
   const StrainedParts parts(s);
-  if (parts.straight()) return {};
-  return parts.displacement(s);
+  VectorXd all = VectorXd::Zero(static_cast<Eigen::Index>(s.yielding.size()));
+  all(parts.indices()) = rest_of(parts, s).deformations;
+  return all;
+}
+
+VectorXd yielding_while_held(const Structure& s, const VectorXd& elastic_shape, const std::vector<Row>& held) {
+  const VectorXd none = VectorXd::Zero(s.size());
+  const StrainedParts parts(s);
+  if (parts.size() == 0) return none;
+  const Rest rest = rest_of(parts, s);
+  const VectorXd gravity = rest.displacement.size() > 0 ? rest.displacement : none;
+  const MatrixXd columns = parts.columns();
+  parts.start(rest.deformations);
+  VectorXd yielded = none;
+  if (!parts.straight(rest.deformations + columns.transpose() * elastic_shape)) {
+    StaticSolver solver(s.stiffness);
+    MatrixXd directions(s.size(), static_cast<Eigen::Index>(held.size()));
+    for (std::size_t i = 0; i < held.size(); ++i) directions.col(static_cast<Eigen::Index>(i)) = held[i];
+    const MatrixXd by_held = solver.solve(directions), by_parts = solver.solve(columns);
+    // Each column moves one of the held displacements by one, without forces elsewhere.
+    const MatrixXd unit = (directions.transpose() * by_held).ldlt().solve(by_held.transpose()).transpose();
+    const MatrixXd by_parts_held = by_parts - unit * (directions.transpose() * by_parts);
+    // The displacements that gravity causes by yielding remain where the structure is held.
+    const VectorXd carried = unit * (directions.transpose() * gravity);
+    const VectorXd elastic = parts.elastic_at_rest() + columns.transpose() * (elastic_shape + carried);
+    const StrainedParts::Equilibrium found =
+        parts.solve(elastic, columns.transpose() * by_parts_held + parts.flexibility(), "the initial displacement");
+    yielded = carried - by_parts_held * found.forces - gravity;
+  }
+  const StrainedParts reset(s);
+  return yielded;
 }
 
 }  // namespace pounding
