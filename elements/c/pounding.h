@@ -71,10 +71,11 @@ typedef struct pnd_value {
 
 /* Creates the law of this name; release it with pnd_destroy. Values are the law's own parameters, plus restitution
  * [-], impact_velocity [m/s] and reduced_mass [kg] if the law takes them. Each may be given at most once. A law that
- * needs no mass ignores reduced_mass. `formula` selects how the damping follows from the restitution: "exact" or a
- * published formula of the law; NULL and "" mean "exact". Returns PND_BAD_ARGUMENT, with *made set to NULL, for an
- * unknown law, formula or parameter (the text suggests the nearest name), for a missing parameter, a value out of
- * range, and damping that is given twice or not at all. */
+ * needs no mass ignores reduced_mass. A parameter that is a list is given item by item, as {"force[1]", 1e6},
+ * {"force[2]", 8e6}; its plain name sets a list of one item. `formula` selects how the damping follows from the
+ * restitution: "exact" or a published formula of the law; NULL and "" mean "exact". Returns PND_BAD_ARGUMENT, with
+ * *made set to NULL, for an unknown law, formula or parameter (the text suggests the nearest name), for a missing
+ * parameter, a value out of range, and damping that is given twice or not at all. */
 PND_API int pnd_create(const char* law, const char* formula, const pnd_value* values, size_t count, pnd_law** made);
 /* Releases a law; NULL is allowed. */
 PND_API void pnd_destroy(pnd_law* law);
@@ -86,13 +87,14 @@ PND_API void pnd_destroy(pnd_law* law);
  * are doubles, so that a host program can store them among its own state variables. To undo a step, restore a copy. */
 typedef struct pnd_contact {
   double touching;      /* 1 during an impact, else 0 */
-  double indentation;   /* added to the gap by komodromos, elastoplastic and backfill; subtracted from every penetration
+  double indentation;   /* added to the gap by komodromos, elastoplastic, backfill and elastic_plastic_gap; subtracted
+                           from every penetration
                            [m] */
   double closing_speed; /* of this impact, or the fixed design velocity [m/s] */
   double damping;       /* coefficient of the law for this impact, in the law's own unit */
   double largest_penetration; /* maximum in this impact so far [m] */
-  double slip;                /* plastic slip of bilinear_hertz [m] */
-  double crushed;             /* maximum penetration in earlier impacts, for elastoplastic and backfill [m] */
+  double slip;                /* plastic slip of bilinear_hertz, and of elastic_plastic_gap without damage [m] */
+  double crushed;             /* maximum penetration in earlier impacts, for laws that crush [m] */
   double reserved[1];         /* must be zero */
 } pnd_contact;
 #define PND_CONTACT_DOUBLES 8
@@ -116,12 +118,14 @@ PND_API int pnd_respond(const pnd_law* law, const pnd_contact* contact, double p
 
 /* Updates the history with an accepted state. If the bodies overlap and were apart, an impact begins with this rate as
  * its closing speed (0 if the rate is negative). If they no longer overlap, the impact ends. With komodromos,
- * elastoplastic and backfill it also ends at the state in which the force has returned to zero. `contact->touching` is
+ * elastoplastic, backfill and elastic_plastic_gap with damage it also ends at the state in which the force has returned
+ * to zero. `contact->touching` is
  * 1 if an impact is in progress. */
 PND_API int pnd_accept(const pnd_law* law, double penetration, double rate, pnd_contact* contact);
 
 /* Ends the impact. For host programs that locate the separation; other programs need only pnd_accept. The indentation
- * grows by the remaining penetration (komodromos) or by the crushed depth (elastoplastic, backfill). Returns
+ * grows by the remaining penetration (komodromos) or by the crushed depth (elastoplastic, backfill,
+ * elastic_plastic_gap). Returns
  * PND_BAD_ARGUMENT also if no impact is in progress. */
 PND_API int pnd_separate(const pnd_law* law, double penetration, pnd_contact* contact);
 

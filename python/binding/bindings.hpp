@@ -14,6 +14,8 @@ namespace pounding::python {
 
 /// Whether a parameter of a law is required, as text.
 const char* need_word(laws::Need need);
+/// Kind of a parameter of a law, as text: number, list or flag.
+const char* kind_word(const laws::ParameterInfo& parameter);
 
 /// Nested dicts, lists and texts of an input.
 pybind11::object plain(const Input& input);

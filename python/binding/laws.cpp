@@ -184,7 +184,7 @@ py::list described(const Law& law, double closing_speed) {
 py::dict dict_of(const laws::Entry& entry) {
   py::list parameters, formulas;
   for (const laws::ParameterInfo& p : entry.parameters)
-    parameters.append(py::make_tuple(p.name, p.unit, p.meaning, p.typical, need_word(p.need)));
+    parameters.append(py::make_tuple(p.name, p.unit, p.meaning, p.typical, need_word(p.need), kind_word(p)));
   for (const laws::Formula& f : entry.formulas) formulas.append(py::make_tuple(f.name, f.source, f.note));
   return py::dict("name"_a = entry.name, "shape"_a = entry.shape, "summary"_a = entry.summary,
                   "source"_a = entry.source, "parameters"_a = parameters, "formulas"_a = formulas,
@@ -288,6 +288,10 @@ const char* need_word(laws::Need need) {
     case laws::Need::extra: return "may be left out";
   }
   return "";
+}
+
+const char* kind_word(const laws::ParameterInfo& parameter) {
+  return parameter.is_flag ? "flag" : parameter.is_list() ? "list" : "number";
 }
 
 void bind_laws(py::module_& module) {

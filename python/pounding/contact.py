@@ -17,24 +17,12 @@ from pounding._native import core
 from pounding.arguments import flag, number, optional, quantity, takes, text
 from pounding.contact_state import ContactState
 from pounding.errors import InputError
+from pounding.law_parameters import Given, Parameter, Quantity, by_key, number_in, numbers_of
 
-#: A number in SI, or a text with its unit: "0.5 m/s".
-Quantity = float | str
 #: A number or an array of numbers.
 Numbers = npt.ArrayLike
 #: Results: an array, or a number if all arguments are numbers.
 Values = npt.NDArray[np.float64]
-
-
-@dataclass(frozen=True)
-class Parameter:
-    """One parameter of a law. In a unit, `n` is the law's exponent."""
-
-    name: str
-    unit: str
-    meaning: str
-    typical: float  #: SI
-    need: str  #: required, optional, instead of restitution, or together, instead of all others
 
 
 def described(name: str, summary: str, shape: str, source: str, parameters: Iterable[Parameter]) -> list[str]:
@@ -107,7 +95,7 @@ class LawKind:
         formula: str | None = None,
         impact_velocity: Quantity | None = None,
         reduced_mass: Quantity | None = None,
-        **parameters: Quantity | None,
+        **parameters: Given | None,
     ) -> Law:
         """The law with these parameters.
 
@@ -133,20 +121,19 @@ class Law:
         formula: str | None,
         impact_velocity: Quantity | None,
         reduced_mass: Quantity | None,
-        parameters: Mapping[str, Quantity | None],
+        parameters: Mapping[str, Given | None],
     ) -> None:
         given = {name: value for name, value in parameters.items() if value is not None}
         exponent = next((p.typical for p in kind.parameters if p.name == "exponent"), 1.0)
         if "exponent" in given:
             exponent = number_in("exponent", given["exponent"], "")
-        units = {p.name: p.unit for p in kind.parameters}
         self.kind = kind
         self.formula = optional(text)("formula", formula)
         self.restitution = None if restitution is None else number_in("restitution", restitution, "")
         self.impact_velocity = None if impact_velocity is None else number_in("impact_velocity", impact_velocity, "m/s")
         self.reduced_mass = None if reduced_mass is None else number_in("reduced_mass", reduced_mass, "kg")
-        #: in SI
-        self.parameters = {name: number_in(name, value, units.get(name, ""), exponent) for name, value in given.items()}
+        #: in SI; "force[1]", "force[2]" of a list
+        self.parameters = numbers_of(kind.parameters, given, exponent)
         # Without reduced_mass the parameters are checked with another mass; functions that need the mass require it.
         self._made: core.Law | None = self._make(1.0 if self.reduced_mass is None else self.reduced_mass)
         if self.reduced_mass is None and kind.takes_reduced_mass:
@@ -229,7 +216,7 @@ class Law:
     def given(self) -> dict[str, Any]:
         """The parameters that are given, in SI, by their keys in the input."""
         names = ("restitution", "formula", "impact_velocity", "reduced_mass")
-        found = {name: getattr(self, name) for name in names} | self.parameters
+        found = {name: getattr(self, name) for name in names} | by_key(self.kind.parameters, self.parameters)
         return {name: value for name, value in found.items() if value is not None}
 
     def _asked(
@@ -371,17 +358,6 @@ def _kind(entry: dict[str, Any]) -> LawKind:
     parameters = tuple(Parameter(*values) for values in entry["parameters"])
     formulas = tuple(Formula(*values) for values in entry["formulas"])
     return LawKind(**entry | {"parameters": parameters, "formulas": formulas})
-
-
-def number_in(name: str, value: Quantity, unit: str, exponent: float = 1.0) -> float:
-    """The number in SI of a parameter with this unit. Raises InputError with its name."""
-    value = quantity(name, value)
-    if not isinstance(value, str):
-        return float(value)
-    try:
-        return core.quantity(value, unit, exponent)
-    except InputError as error:
-        raise InputError(f"{name}: {error}") from None
 
 
 def _word(value: Quantity | None) -> str:

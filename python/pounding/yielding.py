@@ -19,8 +19,9 @@ import numpy.typing as npt
 
 from pounding import arguments
 from pounding._native import core
-from pounding.contact import Kinds, Parameter, Quantity, Values, described, number_in
+from pounding.contact import Kinds, Values, described
 from pounding.errors import InputError, excerpt
+from pounding.law_parameters import Given, Parameter, numbers_of
 
 
 class YieldingParameter(Parameter):
@@ -63,7 +64,7 @@ class YieldingKind:
     choices: tuple[YieldingChoice, ...]
     has_corners: bool  #: True if the slope also jumps away from turning points
 
-    def __call__(self, **parameters: Quantity | None) -> YieldingLaw:
+    def __call__(self, **parameters: Given | None) -> YieldingLaw:
         """The law with these parameters: numbers in SI, texts with units, or names of choices. Raises InputError."""
         return YieldingLaw(self, parameters)
 
@@ -76,16 +77,15 @@ class YieldingKind:
 class YieldingLaw:
     """A law with its parameters. Has no history: every path begins undeformed."""
 
-    def __init__(self, kind: YieldingKind, parameters: Mapping[str, Quantity | None]) -> None:
+    def __init__(self, kind: YieldingKind, parameters: Mapping[str, Given | None]) -> None:
         given = {name: value for name, value in parameters.items() if value is not None}
         chosen = {choice.name for choice in kind.choices}
-        units = {p.name: p.unit for p in kind.parameters}
         self.kind = kind
         self.choices = {name: arguments.text(name, value) for name, value in given.items() if name in chosen}
-        #: in SI
-        self.parameters = {
-            name: number_in(name, value, units.get(name, "")) for name, value in given.items() if name not in chosen
-        }
+        #: in SI; "force[1]", "force[2]" of a list
+        self.parameters = numbers_of(
+            kind.parameters, {name: value for name, value in given.items() if name not in chosen}
+        )
         self._made = core.YieldingLaw(kind.name, self.parameters, self.choices)
 
     def __reduce__(self) -> tuple[Any, ...]:

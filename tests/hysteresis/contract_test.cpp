@@ -167,8 +167,10 @@ TYPED_TEST(HysteresisContract, NothingButTheDeformationChangesInTheElasticRange)
           ASSERT_EQ(value.get(moved), value.get(expected)) << value.info.name;
         ASSERT_EQ(moved.deformation, d);
       }
-      ASSERT_NEAR(excess(this->law, kept, range.high + 1e-3 * this->dy).slope,
-                  -(1 - this->law.hardening) * this->law.stiffness(), 1e-9 * this->law.stiffness());
+      if constexpr (requires { this->law.hardening; }) {
+        ASSERT_NEAR(excess(this->law, kept, range.high + 1e-3 * this->dy).slope,
+                    -(1 - this->law.hardening) * this->law.stiffness(), 1e-9 * this->law.stiffness());
+      }
     }
   } else {
     GTEST_SKIP() << "no such range";
@@ -342,7 +344,7 @@ TYPED_TEST(HysteresisContract, WrongParametersAreRefused) {
   for (const ParameterInfo& p : entry.parameters)
     if (p.need == Need::required) {
       Settings s = typical_settings(entry);
-      s.values.erase(std::string(p.name));
+      std::erase_if(s.values, [&](const auto& value) { return laws::parameter_name(value.first) == p.name; });
       EXPECT_THROW(make_law(s), std::invalid_argument) << "without " << p.name;
     }
 }

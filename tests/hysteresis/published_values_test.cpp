@@ -351,13 +351,41 @@ TEST(ClosedForms, IsolatorsAreLoopsByTheirOwnWords) {
       {"lead_rubber", "post_yield_stiffness", "shear_modulus", "rubber_thickness"}));
 }
 
+// Points by hand, on both sides and mirrored.
+TEST(MultilinearElastic, FollowsItsPoints) {
+  const MultilinearElastic both{.deformation = {-0.03, -0.01, 0, 0.02, 0.05}, .force = {-150, -100, 0, 200, 260}};
+  both.check();
+  EXPECT_DOUBLE_EQ(both.stiffness(), 1e4);
+  EXPECT_EQ(both.yield_deformation(1), 0.02);
+  EXPECT_EQ(both.yield_deformation(-1), 0.01);
+  for (const auto& [d, f] :
+       {std::pair(0.01, 100.0), {0.035, 230.0}, {0.1, 360.0}, {-0.005, -50.0}, {-0.02, -125.0}, {-0.07, -250.0}})
+    for (const double from : {-0.06, 0.0, 0.04}) EXPECT_NEAR(both.respond({from}, d).force, f, 1e-12) << d;
+  EXPECT_NEAR(both.work({-0.02}, 0.035), 2 + 1.5 * 2.15 - (0.5 + 1.125), 1e-12);
+  EXPECT_EQ(both.corner({-0.02}, 0.03), -0.01);
+  EXPECT_EQ(both.corner({-0.01}, 0.03), 0.02);
+  EXPECT_FALSE(both.corner({0.02}, 0.2)) << "the last slope continues";
+  const MultilinearElastic mirrored{.deformation = {0.02, 0.05}, .force = {200, 260}};
+  EXPECT_NEAR(mirrored.respond({0.01}, -0.035).force, -230, 1e-12);
+  EXPECT_EQ(mirrored.corner({0.03}, -0.03), 0.02);
+  const auto refused = [](const MultilinearElastic& law, const test::Facts& facts) {
+    EXPECT_TRUE(test::mentions(test::refusal([&] { law.check(); }), facts)) << test::refusal([&] { law.check(); });
+  };
+  refused({.deformation = {0.01}, .force = {1, 2}}, {"force", "deformation", "2", "1"});
+  refused({.deformation = {-0.01, 0.01}, .force = {-1, 2}}, {"100", "200", "origin"});
+  refused({.deformation = {0.02, 0.01}, .force = {1, 2}}, {"deformation[2]", "0.01"});
+  refused({.deformation = {0.01, 0.02}, .force = {2, 1}}, {"force[2]", "1"});
+  refused({.deformation = {-0.01}, .force = {-1}}, {"deformation", "point"});
+  refused({.deformation = {0.01}, .force = {1}, .slope_at_0 = 120}, {"stiffness", "120", "100"});
+}
+
 TEST(ByName, EveryLawOfTheDesignIsThere) {
   std::string names;
   for (const Entry& entry : catalogue()) names += std::string(entry.name) + " ";
   EXPECT_EQ(
       names,
       "bilinear menegotto_pinto bouc_wen peak_oriented friction_pendulum lead_rubber elastomeric backfill restrainer "
-      "uplift ");
+      "uplift multilinear_elastic ");
 }
 
 TEST(ByName, WhatIsWrongIsSaidWithWhatToType) {

@@ -53,7 +53,9 @@ TEST(LawsByName, EveryLawOfTheDesignIsThere) {
                                             "limited_damper",
                                             "stereomechanical",
                                             "elastoplastic",
-                                            "backfill"};
+                                            "backfill",
+                                            "elastic_plastic_gap",
+                                            "tabulated"};
   std::set<std::string_view> found;
   for (const Entry& entry : catalogue()) found.insert(entry.name);
   EXPECT_EQ(found, expected);
@@ -304,11 +306,56 @@ TEST(LawsByName, LawsThatNeedTheMassRefuseNone) {
   }
 }
 
+TEST(LawsByName, ListsAreGivenItemByItem) {
+  Settings s{.law = "tabulated",
+             .formula = {},
+             .values = {{"penetration[1]", 1e-3}, {"penetration[2]", 5e-3}, {"force[1]", 1e6}, {"force[2]", 8e6}}};
+  const Tabulated law = std::get<Tabulated>(make_law(s));
+  EXPECT_EQ(law.penetration, (std::vector{1e-3, 5e-3}));
+  EXPECT_EQ(law.force, (std::vector{1e6, 8e6}));
+  EXPECT_EQ(described(make_law(s), "force[2]"), 8e6);
+  const auto refused = [&](const std::map<std::string, double>& changes, const test::Facts& facts) {
+    Settings changed = s;
+    for (const auto& [name, value] : changes) changed.values[name] = value;
+    EXPECT_TRUE(test::mentions(refusal(changed), facts)) << refusal(changed);
+  };
+  refused({{"penetration[2]", 1e-3}}, {"penetration[2]", "0.001"});
+  refused({{"force[2]", 9e5}}, {"force[2]", "1e+06"});
+  refused({{"force[1]", 0}}, {"force[1]", "above 0"});
+  refused({{"penetration[1]", -1e-3}}, {"penetration[1]", "-0.001"});
+  refused({{"force[3]", 9e6}}, {"force", "3", "2"});
+  refused({{"force[4]", 9e6}, {"penetration[3]", 1}, {"penetration[4]", 2}}, {"force[3]", "finite"});
+  refused({{"force[0]", 1}}, {"force[0]", "tabulated"});
+  refused({{"force[1001]", 1}}, {"force[1001]", "tabulated"});
+  s.values = {{"penetration", 1e-3}, {"force", 2e5}};
+  EXPECT_EQ(std::get<Tabulated>(make_law(s)).contact(5e-3, 0, {}).force, 1e6) << "one point: a linear spring";
+  s.values = {{"penetration[1]", 0}, {"penetration[2]", 1e-3}, {"force[1]", 5}, {"force[2]", 2e5}};
+  EXPECT_TRUE(test::mentions(refusal(s), {"force[1]", "5", "0"})) << "begins at the origin";
+  s.values.erase("force[1]"), s.values.erase("force[2]");
+  EXPECT_TRUE(test::mentions(refusal(s), {"tabulated", "force"}));
+}
+
+TEST(LawsByName, DamageIsTrueOrFalse) {
+  Settings s{.law = "elastic_plastic_gap",
+             .formula = {},
+             .values = {{"stiffness", 1e8}, {"yield_force", 2e6}, {"hardening", 0}, {"damage", 1}}};
+  EXPECT_EQ(refusal(s), "taken");
+  s.values["damage"] = 0.5;
+  EXPECT_TRUE(test::mentions(refusal(s), {"damage", "0.5", "true", "false"}));
+  s.values.erase("damage");
+  EXPECT_TRUE(test::mentions(refusal(s), {"damage", "elastic_plastic_gap"}));
+  s.values["damage"] = 0;
+  s.values["hardening"] = 1;
+  EXPECT_TRUE(test::mentions(refusal(s), {"hardening", "[0, 1)"}));
+  s.restitution = 0.5;
+  EXPECT_TRUE(test::mentions(refusal(s), {"restitution", "curves"}));
+}
+
 TEST(LawsByName, TraitsAreThoseOfTheLaws) {
   for (const Entry& entry : catalogue()) {
     EXPECT_EQ(entry.may_pull, entry.name == "kelvin_voigt");
-    EXPECT_EQ(entry.leaves_indentation,
-              entry.name == "komodromos" || entry.name == "elastoplastic" || entry.name == "backfill");
+    EXPECT_EQ(entry.leaves_indentation, entry.name == "komodromos" || entry.name == "elastoplastic" ||
+                                            entry.name == "backfill" || entry.name == "elastic_plastic_gap");
     EXPECT_EQ(entry.sticks_at_zero, entry.name == "stereomechanical" || entry.name == "kelvin_voigt");
     EXPECT_EQ(entry.instantaneous, entry.name == "stereomechanical");
   }

@@ -156,12 +156,14 @@ TYPED_TEST(LawContract, ClosedCycleNeverGainsEnergy) {
 // A later impact starts where the previous one left the surfaces. Only accepted states change the memory.
 TYPED_TEST(LawContract, CrushedSurfacesAreRemembered) {
   if constexpr (crushes<TypeParam>) {
-    keep(this->law, 2e-3, 0.1, this->impact);
+    // Beyond yield; the forces of the other laws scale.
+    const double deep = TypeParam::name == "elastic_plastic_gap" ? 3e-2 : 2e-3;
+    keep(this->law, deep, 0.1, this->impact);
     const double crushed = this->law.crushed(this->impact), indentation = this->law.indentation(this->impact);
-    EXPECT_EQ(crushed, 2e-3);
+    EXPECT_EQ(crushed, deep);
     EXPECT_GT(indentation, 0);
     EXPECT_NEAR(this->law.respond(indentation, 0, this->impact).force, 0,
-                1e-12 * this->law.respond(2e-3, 0, this->impact).force);
+                1e-12 * this->law.respond(deep, 0, this->impact).force);
     Impact later = touch(this->law, 0.3, crushed);
     EXPECT_EQ(this->law.crushed(later), crushed);
     EXPECT_EQ(this->law.indentation(later), 0);
@@ -221,7 +223,8 @@ TYPED_TEST(LawContract, RefusesValuesThatMakeNoSense) {
       if (p.need == Need::damping || p.need == Need::together) s.restitution.reset();
       s.values[std::string(p.name)] = bad;
       refuses(s);
-      if (p.need == Need::damping) continue;
+      // Without hardening a contact is perfectly plastic.
+      if (p.need == Need::damping || p.is_flag || p.name == "hardening") continue;
       s.values[std::string(p.name)] = 0;
       refuses(s);
     }

@@ -289,6 +289,75 @@ class Yielding(unittest.TestCase):
         run = self.compare(build, {"frame1": [3]}, 2e-3, order=1.3)
         self.assertGreater(len(run.impacts), 1)
 
+    def test_a_contact_that_yields_is_pressed_as_in_opensees(self):
+        for damage in ("damage", "noDamage"):
+            with self.subTest(damage):
+
+                def build():
+                    plane()
+                    portal()
+                    ops.node(9, 6.0, 3.5)
+                    ops.fix(9, 1, 1, 1)
+                    ops.uniaxialMaterial("ElasticPPGap", 1, 30e6, -2e5, -0.02, 0.125, damage)
+                    ops.element("zeroLength", 51, 3, 9, "-mat", 1, "-dir", 1)
+
+                build()
+                [link] = pounding.from_opensees(analysis={"duration": 1}).links
+                self.assertEqual(
+                    link,
+                    {
+                        "between": [{"structure": "frame1", "node": "n3"}, "wall51"],
+                        "gap": 0.02,
+                        "law": "elastic_plastic_gap",
+                        "stiffness": 30e6,
+                        "yield_force": 2e5,
+                        "hardening": 0.125,
+                        "damage": damage == "damage",
+                    },
+                )
+                run = self.compare(build, {"frame1": [3]}, 2e-3, order=1.3)
+                self.assertGreater(len(run.impacts), 1)
+
+    def test_the_material_of_a_contact_that_yields_has_the_force_of_its_law(self):
+        turns = (0.05, 0.031, 0.06, 0.04, 0.035, 0.07, 0.02, 0.09)
+        path = np.concatenate([np.linspace(a, b, 4001)[1:] for a, b in zip((0.0,) + turns, turns)])
+        for flag in (True, False):
+            with self.subTest(damage=flag):
+                ops.wipe()
+                ops.uniaxialMaterial("ElasticPPGap", 1, 1e8, -2e6, -1e-9, 0.1, "damage" if flag else "noDamage")
+                ops.testUniaxialMaterial(1)
+                forces = []
+                for x in path:
+                    ops.setStrain(-x)
+                    forces.append(-ops.getStress())
+                law = pounding.laws["elastic_plastic_gap"](stiffness=1e8, yield_force=2e6, hardening=0.1, damage=flag)
+                found = law.force(path, np.ones_like(path), in_order=True)
+                # The gap of 1 nm shifts the force by 0.1 N.
+                np.testing.assert_allclose(found, forces, rtol=0, atol=0.3)
+                self.assertGreater(np.count_nonzero(found == 0), 100)
+
+    def test_a_nonlinear_elastic_device_pulls_as_in_opensees(self):
+        def build():
+            plane()
+            portal()
+            ops.node(9, 0.0, 3.5)
+            ops.fix(9, 1, 1, 1)
+            strain, stress = (-0.04, -0.01, 0.0, 0.01, 0.04), (-7e5, -4e5, 0.0, 4e5, 7e5)
+            ops.uniaxialMaterial("ElasticMultiLinear", 1, 0.0, "-strain", *strain, "-stress", *stress)
+            ops.element("zeroLength", 52, 9, 3, "-mat", 1, "-dir", 1)
+
+        build()
+        model = pounding.from_opensees(analysis={"duration": 1})
+        law = {"deformation": [-0.04, -0.01, 0.0, 0.01, 0.04], "force": [-7e5, -4e5, 0.0, 4e5, 7e5]}
+        self.assertIn(
+            {"multilinear_elastic": law},
+            [
+                {"multilinear_elastic": device.get("multilinear_elastic")}
+                for structure in model.structures.values()
+                for device in (structure.get("frame", {}).get("devices") or model.devices or {}).values()
+            ],
+        )
+
     def refused(self, message):
         with self.subTest(message), raises(pounding.InputError, message):
             pounding.from_opensees(analysis={"duration": 1})

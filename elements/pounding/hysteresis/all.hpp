@@ -13,6 +13,7 @@
 #include <pounding/hysteresis/friction_pendulum.hpp>
 #include <pounding/hysteresis/lead_rubber.hpp>
 #include <pounding/hysteresis/menegotto_pinto.hpp>
+#include <pounding/hysteresis/multilinear_elastic.hpp>
 #include <pounding/hysteresis/peak_oriented.hpp>
 #include <pounding/hysteresis/restrainer.hpp>
 #include <pounding/hysteresis/uplift.hpp>
@@ -21,7 +22,7 @@ namespace pounding::hysteresis {
 
 /// Any law of this library.
 using AnyLaw = std::variant<Bilinear, MenegottoPinto, BoucWen, PeakOriented, FrictionPendulum, LeadRubber, Elastomeric,
-                            Backfill, Restrainer, Uplift>;
+                            Backfill, Restrainer, Uplift, MultilinearElastic>;
 
 /// Their catalogue.
 using Laws = laws::Catalogue<Settings, Entry, AnyLaw>;

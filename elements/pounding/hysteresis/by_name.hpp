@@ -54,9 +54,10 @@ L law_from(const Settings& s) {
   for (const auto& [name, value] : s.values) laws::set(law, name, value);
   for (const auto& [name, word] : s.words) choose(law, name, word);
   for (const ParameterInfo& p : infos<L::parameters>)
-    if (p.need == Need::required && !s.values.contains(p.name))
+    if (p.need == Need::required && !laws::is_given(s.values, p.name))
       throw std::invalid_argument(std::string(L::name) + " needs " + std::string(p.name) + " (" +
                                   std::string(p.meaning) + ")");
+  laws::refuse_mixed_lists(infos<L::parameters>, s.values);
   law.check();
   return law;
 }

@@ -16,7 +16,7 @@ namespace pounding::hysteresis {
 /// Settings of a law in an input. SI units.
 struct Settings {
   std::string law;
-  std::map<std::string, double, std::less<>> values{};      ///< numeric parameters
+  std::map<std::string, double, std::less<>> values{};      ///< numeric parameters; "force[1]" of a list
   std::map<std::string, std::string, std::less<>> words{};  ///< keyword parameters
 };
 
@@ -45,8 +45,7 @@ inline std::string unknown_law(std::string_view name, std::span<const Entry> cat
 /// Settings of a law with the typical values of its table.
 inline Settings typical_settings(const Entry& entry) {
   Settings s{.law = std::string(entry.name)};
-  for (const ParameterInfo& p : entry.parameters)
-    if (p.need != Need::extra) s.values.emplace(p.name, p.typical);
+  laws::add_typical(entry.parameters, s.values, [](const ParameterInfo& p) { return p.need != Need::extra; });
   return s;
 }
 

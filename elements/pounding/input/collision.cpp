@@ -43,6 +43,10 @@ std::vector<std::pair<std::string, std::string>> given_parameters(const Collisio
   return given;
 }
 
+bool is_item_given(const std::vector<std::pair<std::string, std::string>>& given, std::string_view name) {
+  return std::ranges::find(given, name, &std::pair<std::string, std::string>::first) != given.end();
+}
+
 CalibratedRow calibrated(const Collision& c, std::string_view formula) {
   CalibratedRow row{.formula = formula, .impact = {}, .refused = {}};
   laws::Settings settings = c.settings;
@@ -83,22 +87,27 @@ Collision read_collision(const CollisionInput& keys) {
           fmt::format("{}restitution is missing; type the target restitution, such as 0.65", keys.before_names));
     c.settings.restitution = read(keys, "restitution", keys.restitution, dimension::none);
   } else if (!keys.restitution.empty()) {
-    throw InputError(fmt::format("{}restitution: {} takes no restitution, since it dissipates no energy",
-                                 keys.before_names, keys.law));
+    throw InputError(
+        fmt::format("{}restitution: {} takes no restitution, since {}", keys.before_names, keys.law,
+                    c.law.leaves_indentation ? "its dissipation follows from its curves" : "it dissipates no energy"));
   }
   const auto given = given_parameters(keys);
   for (const auto& [name, text] : given)
     if (name == "exponent") c.settings.values["exponent"] = read(keys, name, text, dimension::none);
   if (const auto n = c.settings.values.find("exponent"); n != c.settings.values.end()) c.exponent = n->second;
   for (const auto& [name, text] : given) {
-    const auto p = std::ranges::find(c.law.parameters, name, &laws::ParameterInfo::name);
+    const auto p = std::ranges::find(c.law.parameters, laws::parameter_name(name), &laws::ParameterInfo::name);
     // An unknown name is kept, so that make_law rejects it and lists the known ones.
     const Dimension expected =
         p == c.law.parameters.end() ? dimension::none : parse_unit_dimension(laws::resolved_unit(p->unit, c.exponent));
+    if (p != c.law.parameters.end() && p->is_list())
+      std::erase_if(c.settings.values, [&](const auto& each) {
+        return each.first != name && laws::parameter_name(each.first) == p->name && !is_item_given(given, each.first);
+      });
     c.settings.values[name] = p == c.law.parameters.end() ? 0 : read(keys, name, text, expected);
   }
   for (const laws::ParameterInfo& p : c.law.parameters) {
-    const bool is_given = std::ranges::find(given, p.name, &std::pair<std::string, std::string>::first) != given.end();
+    const bool is_given = laws::is_given(given, p.name);
     if (p.need == laws::Need::required && !is_given && p.unit.find('n') != std::string_view::npos &&
         !keys.exponent.empty())
       throw InputError(

@@ -52,7 +52,12 @@ hysteresis::Settings read_law(const Input& node, const hysteresis::Entry& entry)
   hysteresis::Settings law{.law = std::string(entry.name)};
   for (const hysteresis::ParameterInfo& parameter : entry.parameters) {
     if (parameter.need == hysteresis::Need::required) node.at(parameter.name);
-    if (const auto value = node.find(parameter.name)) law.values.emplace(parameter.name, value->as_quantity());
+    if (const auto value = node.find(parameter.name)) {
+      if (parameter.is_list())
+        read_list(*value, law.values);
+      else
+        law.values.emplace(parameter.name, value->as_quantity());
+    }
   }
   law.words = read_choices(node, entry);
   return law;

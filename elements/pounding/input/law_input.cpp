@@ -75,9 +75,16 @@ LawInput read_law(const Input& node) {
                               laws::resolved_unit(parameter.unit, exponent)));
     if (parameter.name == "stiffness") read.stiffness = read_stiffness_estimate(*value);
     if (parameter.name == "stiffness" && read.stiffness) continue;
-    settings.values.emplace(
-        std::string(parameter.name),
-        value->as_quantity(parse_unit_dimension(laws::resolved_unit(parameter.unit, exponent)), bounds::any));
+    if (parameter.is_flag) {
+      settings.values.emplace(parameter.name, value->as_bool() ? 1 : 0);
+      continue;
+    }
+    const Dimension dimension = parse_unit_dimension(laws::resolved_unit(parameter.unit, exponent));
+    if (value->is_list())
+      for (std::size_t i = 0; const Input& item : value->items())
+        settings.values.emplace(laws::item_name(parameter.name, i++), item.as_quantity(dimension, bounds::any));
+    else
+      settings.values.emplace(parameter.name, value->as_quantity(dimension, bounds::any));
   }
   return read;
 }

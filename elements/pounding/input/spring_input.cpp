@@ -54,7 +54,7 @@ std::map<std::string, std::string, std::less<>> read_choices(const Input& law, c
 }
 
 Input location_of(const std::string& refusal, const Input& law, const hysteresis::Entry& entry) {
-  const std::string_view first = std::string_view(refusal).substr(0, refusal.find(' '));
+  const std::string_view first = laws::parameter_name(std::string_view(refusal).substr(0, refusal.find(' ')));
   for (const hysteresis::ParameterInfo& parameter : entry.parameters)
     if (parameter.name == first)
       if (const auto found = law.find(parameter.name)) return *found;
@@ -70,8 +70,12 @@ SpringOptions read_storey_spring(const Input& spring, const std::vector<double>&
   for (const hysteresis::ParameterInfo& parameter : entry.parameters) {
     if (parameter.name == "stiffness") continue;
     if (parameter.need == hysteresis::Need::required) law.at(parameter.name);
-    if (const auto value = law.find(parameter.name))
-      options.values.emplace(parameter.name, value->as_quantities(storeys));
+    if (const auto value = law.find(parameter.name)) {
+      if (parameter.is_list())
+        read_list(*value, options.values);
+      else
+        options.values.emplace(parameter.name, value->as_quantities(storeys));
+    }
   }
   options.words = read_choices(law, entry);
   for (int i = 0; i < storeys; ++i) try {

@@ -12,6 +12,17 @@
 
 namespace pounding {
 
+/// Adds a list parameter, or its only item, to the values of a law: "force[1]", "force[2]".
+template <class Values>
+void read_list(const Input& list, Values& values) {
+  if (!list.is_list()) {
+    values.emplace(list.key(), list.as_quantity());
+    return;
+  }
+  for (std::size_t i = 0; const Input& item : list.items())
+    values.emplace(laws::item_name(list.key(), i++), item.as_quantity());
+}
+
 /// The hysteretic law whose name is a key of this map; null if there is none. Throws InputError for a second one;
 /// `what` names the owner in the message: "a storey".
 const hysteresis::Entry* law_among_keys(const Input& map, const char* what);

@@ -10,6 +10,7 @@
 #include <pounding/laws/backfill.hpp>
 #include <pounding/laws/bilinear_hertz.hpp>
 #include <pounding/laws/by_name.hpp>
+#include <pounding/laws/elastic_plastic_gap.hpp>
 #include <pounding/laws/elastoplastic.hpp>
 #include <pounding/laws/hertz.hpp>
 #include <pounding/laws/hertz_damped.hpp>
@@ -23,14 +24,16 @@
 #include <pounding/laws/modified_kelvin.hpp>
 #include <pounding/laws/modified_linear_viscoelastic.hpp>
 #include <pounding/laws/stereomechanical.hpp>
+#include <pounding/laws/tabulated.hpp>
 #include <pounding/laws/viscous_hertz.hpp>
 
 namespace pounding::laws {
 
 /// Any law of this library.
-using AnyLaw = std::variant<LinearSpring, KelvinVoigt, KelvinVoigtNoTension, Komodromos, ModifiedLinearViscoelastic,
-                            ModifiedKelvin, Hertz, HertzDamped, Jankowski, BilinearHertz, ViscousHertz, KuwabaraKono,
-                            AdamsImpact, LimitedDamper, Stereomechanical, Elastoplastic, Backfill>;
+using AnyLaw =
+    std::variant<LinearSpring, KelvinVoigt, KelvinVoigtNoTension, Komodromos, ModifiedLinearViscoelastic,
+                 ModifiedKelvin, Hertz, HertzDamped, Jankowski, BilinearHertz, ViscousHertz, KuwabaraKono, AdamsImpact,
+                 LimitedDamper, Stereomechanical, Elastoplastic, Backfill, ElasticPlasticGap, Tabulated>;
 
 /// Their catalogue.
 using Laws = Catalogue<Settings, Entry, AnyLaw>;

@@ -121,11 +121,12 @@ L law_from(const Settings& s) {
   constexpr std::span<const ParameterInfo> parameters = infos<L::parameters>;
   L law;
   for (const auto& [name, value] : s.values) set(law, name, value);
-  const auto given = [&s](std::string_view name) { return s.values.contains(name); };
+  const auto given = [&s](std::string_view name) { return is_given(s.values, name); };
   for (const ParameterInfo& p : parameters)
     if (must_be_given(parameters, p, given) && !given(p.name))
       throw std::invalid_argument(law_name + " needs " + std::string(p.name) + " (" + std::string(p.meaning) + ")");
   refuse_beside_together(parameters, given);
+  refuse_mixed_lists(parameters, s.values);
 
   if constexpr (requires { law.restitution; }) {
     if constexpr (std::is_same_v<decltype(law.restitution), double>) {
@@ -179,10 +180,13 @@ std::vector<ResolvedValue> describe(const L& law, double closing_speed) {
       result.push_back({std::string(name), value, resolved_unit(unit, exponent)});
   };
   const bool together = std::ranges::any_of(
-      L::parameters, [&](const Parameter<L>& p) { return p.info.need == Need::together && law.*p.choice; });
+      L::parameters, [&](const Parameter<L>& p) { return p.info.need == Need::together && p.get(law); });
   for (const Parameter<L>& p : L::parameters) {
     const std::optional<double> value = p.get(law);
     if (value && !(p.value && together)) add(p.info.name, *value, p.info.unit);
+    if (p.list)
+      for (std::size_t i = 0; i < (law.*p.list).size(); ++i)
+        add(item_name(p.info.name, i), (law.*p.list)[i], p.info.unit);
   }
   if (together) return result;
   if constexpr (requires { law.restitution.has_value(); }) {

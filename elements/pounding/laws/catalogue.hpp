@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <optional>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -12,6 +14,7 @@
 
 #include <pounding/base/excerpt.hpp>
 #include <pounding/base/nearest_name.hpp>
+#include <pounding/laws/points.hpp>
 #include <pounding/laws/table.hpp>
 
 namespace pounding::laws {
@@ -24,13 +27,38 @@ std::vector<std::string_view> names(const Range& range) {
   return result;
 }
 
-/// Sets a parameter by name, value in SI. Throws std::invalid_argument if the law has no such parameter.
+/// Sets a parameter by name, value in SI; "force[2]" is the second item of a list. Throws std::invalid_argument if the
+/// law has no such parameter.
 template <class L>
 void set(L& law, std::string_view name, double value) {
-  for (const Parameter<L>& p : L::parameters)
+  const auto item = list_item(name);
+  for (const Parameter<L>& p : L::parameters) {
     if (p.info.name == name) return p.set(law, value);
+    if (item && p.list && p.info.name == item->first) return p.set_item(law, item->second, value);
+  }
   throw std::invalid_argument(std::string(L::name) + " has no parameter \"" + excerpt(name) + "\"." +
                               suggestion(name, names(infos<L::parameters>)));
+}
+
+/// Throws std::invalid_argument for a list that is given by its plain name and also item by item.
+template <class Values>
+void refuse_mixed_lists(std::span<const ParameterInfo> parameters, const Values& values) {
+  for (const ParameterInfo& p : parameters) {
+    if (!p.is_list() || !values.contains(p.name)) continue;
+    for (const auto& each : values)
+      if (each.first != p.name && parameter_name(each.first) == p.name)
+        throw std::invalid_argument(std::string(p.name) + " is given as one value and as a list; keep one of the two");
+  }
+}
+
+/// Values of a law with the typical values of the parameters that `wanted` selects, by name; lists item by item.
+template <class Values, class Wanted>
+void add_typical(std::span<const ParameterInfo> parameters, Values& values, Wanted&& wanted) {
+  for (const ParameterInfo& p : parameters) {
+    if (!wanted(p)) continue;
+    if (!p.is_list()) values.emplace(p.name, p.typical);
+    for (std::size_t i = 0; i < p.typical_list.size(); ++i) values.emplace(item_name(p.name, i), p.typical_list[i]);
+  }
 }
 
 /// Laws of a variant. The namespace of `Settings` and `Entry` provides law_from<L>(settings), which returns a validated

@@ -22,7 +22,7 @@ struct Settings {
   std::optional<double> restitution{};                  ///< (0, 1], or 0 for laws in which the bodies stick
   std::optional<double> impact_velocity{};              ///< fixed design velocity [m/s]
   double reduced_mass = 0;                              ///< of the colliding bodies [kg]; ignored by some laws
-  std::map<std::string, double, std::less<>> values{};  ///< the law's own parameters
+  std::map<std::string, double, std::less<>> values{};  ///< the law's own parameters; "force[1]" of a list
 };
 
 /// Catalogue entry of a law, read from the tables of its struct.
@@ -59,8 +59,8 @@ inline constexpr double typical_restitution = 0.65, typical_closing_speed = 0.5,
 inline Settings typical_settings(const Entry& entry) {
   Settings s{.law = std::string(entry.name), .formula = {}, .reduced_mass = typical_reduced_mass};
   if (entry.takes_restitution) s.restitution = typical_restitution;
-  for (const ParameterInfo& p : entry.parameters)
-    if (p.need == Need::required || p.need == Need::optional) s.values.emplace(p.name, p.typical);
+  add_typical(entry.parameters, s.values,
+              [](const ParameterInfo& p) { return p.need == Need::required || p.need == Need::optional; });
   return s;
 }
 

@@ -19,6 +19,7 @@
 ///     double indentation(const Impact&) const noexcept;  // see crushes
 ///     bool needs_closing_speed() const noexcept;  // see designed_for_speed
 ///     double softening(double penetration, const Impact&) const noexcept;  // see designed_for_speed
+///     bool heals() const noexcept;  // see heals() below
 ///
 /// `contact` extends the formula smoothly beyond the end of contact; its sign changes where the force is released.
 /// `respond` is zero for an open gap and never pulls, unless the law has `static constexpr bool may_pull = true`.
@@ -112,6 +113,14 @@ inline constexpr bool crushes = requires(const L& law, const Impact& impact) {
   law.crushed(impact);
   law.indentation(impact);
 };
+
+/// True for a law with these parameters that leaves no indentation although others of its type do: after the force has
+/// ended, the surface follows the body while it separates. Its next force begins where the body reverses.
+template <class L>
+bool heals(const L& law) noexcept {
+  if constexpr (requires { law.heals(); }) return law.heals();
+  return false;
+}
 
 /// True for a law with a coefficient that is calibrated at each impact.
 template <class L>

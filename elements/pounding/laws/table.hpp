@@ -3,8 +3,11 @@
 
 #include <array>
 #include <cstddef>
+#include <limits>
 #include <optional>
+#include <span>
 #include <string_view>
+#include <vector>
 
 namespace pounding::laws {
 
@@ -23,27 +26,44 @@ struct ParameterInfo {
   std::string_view name, unit, meaning;
   double typical = 0;  ///< SI
   Need need = Need::required;
+  std::span<const double> typical_list{};  ///< of a parameter that is a list [SI]; empty for a single value
+  bool is_flag = false;                    ///< true or false, as 1 or 0
+
+  bool is_list() const noexcept { return !typical_list.empty(); }  ///< true for a list of values
 };
 
-/// A parameter and the corresponding member of the law: exactly one of the two pointers is set.
+/// A parameter and the corresponding member of the law: exactly one of the pointers is set.
 template <class L>
 struct Parameter {
   constexpr Parameter(const ParameterInfo& of, double L::* member) : info(of), value(member) {}
   constexpr Parameter(const ParameterInfo& of, std::optional<double> L::* member) : info(of), choice(member) {}
+  constexpr Parameter(const ParameterInfo& of, std::vector<double> L::* member) : info(of), list(member) {}
 
-  /// Sets the member of the law [SI].
+  /// Sets the member of the law [SI]; for a list, its only item.
   void set(L& law, double number) const {
-    if (value)
+    if (list)
+      law.*list = {number};
+    else if (value)
       law.*value = number;
     else
       law.*choice = number;
   }
-  /// Empty if not given.
-  std::optional<double> get(const L& law) const { return value ? law.*value : law.*choice; }
+  /// Sets an item of a list, counted from 0 [SI]. Items that are not set are NaN.
+  void set_item(L& law, std::size_t index, double number) const {
+    std::vector<double>& items = law.*list;
+    if (items.size() <= index) items.resize(index + 1, std::numeric_limits<double>::quiet_NaN());
+    items[index] = number;
+  }
+  /// Empty if not given, and for a list.
+  std::optional<double> get(const L& law) const {
+    if (list) return {};
+    return value ? law.*value : law.*choice;
+  }
 
   ParameterInfo info;
   double L::* value = nullptr;
   std::optional<double> L::* choice = nullptr;
+  std::vector<double> L::* list = nullptr;
 };
 
 /// The `info` of each row of a table.

@@ -18,7 +18,8 @@ void accept(const Law& law, double relative_displacement, double rate, ContactSt
     return;
   }
   if (!touching) state.begin(law, rate);
-  if (laws::leaves_indentation<Law> && !(law.contact(d, rate, state.impact).force > 0)) return state.end(law, d);
+  if (laws::leaves_indentation<Law> && !laws::heals(law) && !(law.contact(d, rate, state.impact).force > 0))
+    return state.end(law, d);
   state.keep(law, d, rate);
 }
 

@@ -52,7 +52,7 @@ constexpr std::array<ContactEvent, 3> ends_of(ContactPhase phase) noexcept {
     case ContactPhase::open: return {touch, none, none};
     case ContactPhase::approach: return {turn, separation, none};
     case ContactPhase::restitution: return {separation, release, turn};
-    case ContactPhase::slack: return {separation, engage, none};
+    case ContactPhase::slack: return {separation, engage, turn};
     case ContactPhase::resting: break;
   }
   return {none, none, none};
@@ -101,8 +101,13 @@ struct ContactState {
     switch (event) {
       case ContactEvent::touch: return -penetration;
       case ContactEvent::separation: return penetration;
-      case ContactEvent::turn: return phase == ContactPhase::approach ? rate : -rate;
-      case ContactEvent::engage: return -signed_force(law, penetration, rate, impact);
+      case ContactEvent::turn:
+        // A surface that follows the body presses as soon as the body reverses.
+        if (phase == ContactPhase::slack && !laws::heals(law)) break;
+        return phase == ContactPhase::approach ? rate : -rate;
+      case ContactEvent::engage:
+        if (laws::heals(law)) break;
+        return -signed_force(law, penetration, rate, impact);
       case ContactEvent::release:
         if constexpr (!laws::may_pull<Law>) return signed_force(law, penetration, rate, impact);
         break;
@@ -121,7 +126,7 @@ struct ContactState {
         phase = phase == ContactPhase::approach ? ContactPhase::restitution : ContactPhase::approach;
         return;
       case ContactEvent::release:
-        if constexpr (laws::leaves_indentation<Law>)
+        if (laws::leaves_indentation<Law> && !laws::heals(law))
           end(law, penetration);
         else
           phase = ContactPhase::slack;

@@ -32,7 +32,7 @@ class GapLink final : public Contact {
 
   /// The law with its parameters.
   const Law& law() const noexcept { return law_; }
-  /// Current gap [m]: komodromos and elastoplastic add their indentation to it.
+  /// Current gap [m]: laws that leave an indentation add it.
   double gap() const noexcept { return state_.gap; }
 
   ContactPhase phase() const noexcept override { return state_.phase; }
@@ -98,7 +98,8 @@ class GapLink final : public Contact {
   void on_event(int index, double time, const LinkMotion& motion) override {
     const ContactEvent event = ends_of(state_.phase)[static_cast<std::size_t>(index)];
     if (event == ContactEvent::release) log_.release(time);
-    if (event == ContactEvent::engage) log_.engage();
+    if (event == ContactEvent::engage || (event == ContactEvent::turn && state_.phase == ContactPhase::slack))
+      log_.engage();
     state_.apply(event, law_, motion.penetration, motion.rate);
     if (event == ContactEvent::touch)
       log_.begin(time, std::max(0.0, motion.rate));

@@ -98,8 +98,8 @@ class LinkContact {
   double margin(LinkEvent event, double penetration, double rate) const noexcept {
     const bool slack = state_.phase == ContactPhase::slack;
     if (event == LinkEvent::corner && !slack) return before_corner(penetration, rate);
-    const bool can_end =
-        event == LinkEvent::separation || (event != LinkEvent::touch && slack == (event == LinkEvent::engage));
+    const bool can_end = event == LinkEvent::separation || (slack && event == LinkEvent::turn) ||
+                         (event != LinkEvent::touch && slack == (event == LinkEvent::engage));
     if (!can_end || (event == LinkEvent::turn && !located_turn_)) return std::numeric_limits<double>::infinity();
     return state_.margin(event, law(), penetration, rate);
   }

@@ -28,8 +28,9 @@ import numpy as np
 from pounding import printing
 from pounding._native import core
 from pounding.arguments import quantity, refuse, takes, whole
-from pounding.contact import Law, Quantity, laws
+from pounding.contact import Law, laws
 from pounding.errors import InputError, SolverError
+from pounding.law_parameters import Quantity
 from pounding.opensees.link_process import Impact
 
 #: The program that serves one link.

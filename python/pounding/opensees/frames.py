@@ -13,6 +13,7 @@ from pounding.errors import InputError
 from pounding.opensees import links
 from pounding.opensees.constraints import DOFS, floors_and_ties
 from pounding.opensees.hinge_members import HINGE_MEMBER, read_hinge_member
+from pounding.opensees.materials import GAPS
 from pounding.opensees.printed import PRINTED, Printed
 from pounding.opensees.springs import SPRINGS, End, Spring, hinge_words, read_spring, rotates_only, take_hinges
 
@@ -212,7 +213,7 @@ class Frames:
             if part & set(spring.nodes)
             and not others & set(spring.nodes)
             and all(node in part or len(self.held.get(node, ())) == len(self.dofs) for node in spring.nodes)
-            and not any(material.kind == "HyperbolicGapMaterial" for material in spring.materials.values())
+            and not any(material.kind in GAPS for material in spring.materials.values())
         ]
 
     def _member(self, element: Mapping[str, Any], transformations: Mapping[str, Mapping[str, Any]]) -> Member:

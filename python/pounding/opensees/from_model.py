@@ -11,6 +11,7 @@ from pounding.errors import InputError
 from pounding.models import Model
 from pounding.opensees import Link, links, openseespy
 from pounding.opensees.frames import Frames
+from pounding.opensees.materials import GAPS
 from pounding.opensees.printed import Printed
 from pounding.opensees.springs import between_words
 
@@ -41,8 +42,8 @@ def from_opensees(
     whose nodes are tied by equalDOF is a hinge at the end of its member; forceBeamColumn with HingeRadau and bilinear
     end sections is a member with hinges; truss, twoNodeLink and other zeroLength elements are devices. Their materials
     are Steel01, Steel02, ElasticPP, BoucWen, Hysteretic (two lines, without pinching, damage and beta), Elastic,
-    Viscous and ViscousDamper. A zeroLength of HyperbolicGapMaterial along x is a wall with backfill. A member has equal
-    hinges at both ends, or a hinge at one end.
+    ElasticMultiLinear (of devices), Viscous and ViscousDamper. A zeroLength along x of HyperbolicGapMaterial is a wall with backfill, of ElasticPPGap a
+    contact that yields. A member has equal hinges at both ends, or a hinge at one end.
 
     The model is in N, m, kg, s; y is up in the plane, z in space. Names of nodes, members and devices follow from their
     tags: n24, e7, d12. Two structures are called left and right, more of them frame1, frame2, ... by smallest x, unless
@@ -51,8 +52,8 @@ def from_opensees(
     OpenSees does not return the damping: pass `rayleigh`, the arguments of ops.rayleigh (alphaM, betaK, betaKinit,
     betaKcomm), or `damping` with input keys; the default is undamped. It does not return the motion of a
     UniformExcitation: pass `ground_motion`, and `analysis`, as for Model. `without` are tags of elements to omit;
-    `without_loads` omits load patterns. Mass per length, joint offsets, BoucWen, Hysteretic and HyperbolicGapMaterial
-    have the six digits that OpenSees prints; all other values are exact. In OpenSees the stiffness-proportional part of
+    `without_loads` omits load patterns. Mass per length, joint offsets, BoucWen, Hysteretic, ElasticMultiLinear, HyperbolicGapMaterial and
+    the hardening of ElasticPPGap have the six digits that OpenSees prints; all other values are exact. In OpenSees the stiffness-proportional part of
     Rayleigh damping excludes the springs of members; here it includes them. `face` is the distance from the axes of the
     outer columns to the faces, such as "0.3 m", for all frames or by name: gaps are measured between faces.
 
@@ -96,14 +97,14 @@ def from_opensees(
 
 
 def _joints(frames: Frames, home: Mapping[int, str]) -> tuple[dict[str, Any], list[dict[str, Any]], dict[str, Any]]:
-    """Walls, gaps with backfill, and devices between two frames."""
+    """Walls, gaps, and devices between two frames."""
     walls: dict[str, Any] = {}
     gaps: list[dict[str, Any]] = []
     devices: dict[str, Any] = {}
     fixed = {node for node, held in frames.held.items() if node not in home and len(held) == len(frames.dofs)}
     for spring in frames.springs:
         ends = [home.get(node) for node in spring.nodes]
-        if any(material.kind == "HyperbolicGapMaterial" for material in spring.materials.values()):
+        if any(material.kind in GAPS for material in spring.materials.values()):
             words = between_words(spring, home, fixed)
             for i, end in enumerate(words["between"]):
                 if end == "ground":

@@ -6,6 +6,8 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Any
 
+import numpy as np
+
 from pounding.errors import InputError
 from pounding.opensees.printed import PRINTED, Printed
 
@@ -15,6 +17,7 @@ EXACT = {
     "Steel02": {"fy": "Fy", "E": "E", "b": "b", "R0": "R0", "cR1": "cR1", "cR2": "cR2"},
     "ElasticMaterial": {"Epos": "E", "eta": "eta"},
     "ElasticPPMaterial": {"E": "E"},
+    "EPPGap": {"E": "E", "fy": "Fy", "gap": "gap"},
     "Viscous": {"C": "C", "Alpha": "Alpha", "minVel": "minVel"},
     "ViscousDamper": {"K": "K", "C": "C", "Alpha": "Alpha"},
 }
@@ -28,14 +31,17 @@ class Law:
     values: Mapping[str, Any]
 
     #: Exponents of force and length in the units of input keys.
-    UNITS = {"stiffness": (1, -1), "yield_force": (1, 0)}
+    UNITS = {"stiffness": (1, -1), "yield_force": (1, 0), "deformation": (0, 1), "force": (1, 0)}
 
     def times(self, force: float, length: float) -> Law:
         """The law with scaled forces and deformations."""
 
         def scaled(word: str, value: Any) -> Any:
             of_force, of_length = self.UNITS.get(word, (0, 0))
-            return value * force**of_force * length**of_length if of_force or of_length else value
+            factor = force**of_force * length**of_length
+            if isinstance(value, list):
+                return [one * factor for one in value]
+            return value * factor if of_force or of_length else value
 
         return Law(self.name, {word: scaled(word, value) for word, value in self.values.items()})
 
@@ -45,6 +51,8 @@ class Law:
 
     def moments(self) -> dict[str, Any]:
         """Input keys of a hinge; the hardening ratio of OpenSees is that of the spring alone."""
+        if self.name == "multilinear_elastic":
+            raise InputError("hinges take no ElasticMultiLinear material; use it in a device, or a yielding material")
         names = {"yield_force": "yield_moment", "hardening": "spring_hardening"}
         return {self.name: {names.get(word, word): value for word, value in self.values.items()}}
 
@@ -146,12 +154,21 @@ def _hysteretic(of: Material) -> Law:
     )
 
 
+def _multilinear(of: Material) -> Law:
+    of.require(eta=0)
+    strains, stresses = of.values["strainPoints"], of.values["stressPoints"]
+    if abs(np.interp(0.0, strains, stresses)) > PRINTED * max(map(abs, stresses)):
+        raise of.refuse("its curve does not pass through the origin")
+    return Law("multilinear_elastic", {"deformation": list(strains), "force": list(stresses)})
+
+
 LAWS: dict[str, Callable[[Material], Law]] = {
     "Steel01": _steel01,
     "Steel02": _steel02,
     "ElasticPPMaterial": _elastic_plastic,
     "BoucWenMaterial": _bouc_wen,
     "HystereticMaterial": _hysteretic,
+    "ElasticMultiLinear": _multilinear,
 }
 
 
@@ -176,12 +193,32 @@ def _damper(values: Mapping[str, Any], force: float, length: float) -> dict[str,
     return words if values["Alpha"] == 1 else {**words, "exponent": values["Alpha"]}
 
 
-def backfill_words(of: Material) -> dict[str, Any]:
-    """Input keys of a link to the soil behind a wall."""
-    if of.kind != "HyperbolicGapMaterial":
+def gap_words(of: Material) -> dict[str, Any]:
+    """Input keys of a link with the law of a gap material, such as the soil behind a wall."""
+    if of.kind not in GAPS:
         raise of.refuse(
-            "only HyperbolicGapMaterial acts between two structures along one axis; use pounding.opensees.link for other gaps"
+            f"only {' and '.join(GAPS)} act between two structures along one axis; use pounding.opensees.link for other gaps"
         )
+    return GAPS[of.kind](of)
+
+
+def _elastic_plastic_gap(of: Material) -> dict[str, Any]:
+    values = of.values
+    if not values["fy"] < 0 or values["gap"] > 0:
+        raise of.refuse(
+            f"Fy is {values['fy']:g} and gap {values['gap']:g}; a contact is compressed: Fy < 0 and gap <= 0"
+        )
+    return {
+        "gap": -values["gap"],
+        "law": "elastic_plastic_gap",
+        "stiffness": values["E"],
+        "yield_force": -values["fy"],
+        "hardening": values["eta"],
+        "damage": bool(values["damageFlag"]),
+    }
+
+
+def _backfill(of: Material) -> dict[str, Any]:
     values = of.values
     if not 0 < values["Kmax"] <= values["Kur"]:
         raise of.refuse(f"Kmax is {values['Kmax']:g} and Kur {values['Kur']:g}; a soil has 0 < Kmax <= Kur")
@@ -193,3 +230,10 @@ def backfill_words(of: Material) -> dict[str, Any]:
         "failure_ratio": values["Rf"],
         "strength": abs(values["Fult"]),
     }
+
+
+#: Materials of gaps between two structures.
+GAPS: dict[str, Callable[[Material], dict[str, Any]]] = {
+    "HyperbolicGapMaterial": _backfill,
+    "EPPGap": _elastic_plastic_gap,
+}

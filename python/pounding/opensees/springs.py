@@ -1,4 +1,4 @@
-"""OpenSees elements with uniaxial materials: hinges at the ends of members, bars and dampers, walls with backfill."""
+"""OpenSees elements with uniaxial materials: hinges at the ends of members, bars and dampers, gaps to walls."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from typing import Any, Protocol
 import numpy as np
 
 from pounding.errors import InputError
-from pounding.opensees.materials import Law, Material, backfill_words, device_words, read_material
+from pounding.opensees.materials import Law, Material, device_words, gap_words, read_material
 from pounding.opensees.printed import Constraint, Printed
 
 #: Types of elements that are springs.
@@ -193,8 +193,7 @@ def plastic(moment: Law, plastic_length: float, length: float) -> dict[str, Any]
 
 
 def between_words(spring: Spring, home: Mapping[int, str], fixed: set[int]) -> dict[str, Any]:
-    """Input keys of a wall with backfill: a link between structures; "ground" is a fixed node outside all
-    structures."""
+    """Input keys of a gap material: a link between structures; "ground" is a fixed node outside all structures."""
     if set(spring.materials) != {1} or spring.kind != "ZeroLength":
         raise InputError(f"element {spring.tag}: only a zeroLength along x, -dir 1, joins two structures as a gap")
     ends: list[Any] = []
@@ -202,4 +201,4 @@ def between_words(spring: Spring, home: Mapping[int, str], fixed: set[int]) -> d
         if node not in home and node not in fixed:
             raise InputError(f"element {spring.tag}: node {node} belongs to no frame")
         ends.append({"structure": home[node], "node": f"n{node}"} if node in home else "ground")
-    return {"between": ends, **backfill_words(spring.materials[1])}
+    return {"between": ends, **gap_words(spring.materials[1])}

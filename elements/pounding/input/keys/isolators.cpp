@@ -68,7 +68,10 @@ const OfIsolators& isolators() {
   static const OfIsolators all = [] {
     OfIsolators made;
     EachLaw<hysteresis::AnyLaw>::visit([&made]<class L>(const L& law) {
-      if (hysteresis::Entry::of<L>().is_symmetric) made.add(law);
+      // The lists of a nonlinear elastic curve apply to storeys and devices.
+      const bool has_lists =
+          std::ranges::any_of(L::parameters, [](const auto& parameter) { return parameter.info.is_list(); });
+      if (hysteresis::Entry::of<L>().is_symmetric && !has_lists) made.add(law);
     });
     return made;
   }();

@@ -79,10 +79,19 @@ struct OfLaw {
     const auto exponent = std::ranges::find(law.parameters, "exponent", &laws::ParameterInfo::name);
     const std::string unit =
         laws::resolved_unit(parameter.unit, exponent == law.parameters.end() ? 1.5 : exponent->typical);
-    const std::string_view typical = kept(fmt::format("{:g}{}{}", parameter.typical, unit.empty() ? "" : " ", unit));
+    const auto shown = [&unit](double number) {
+      return fmt::format("{:g}{}{}", number, unit.empty() ? "" : " ", unit);
+    };
+    std::string example = shown(parameter.typical);
+    if (parameter.is_flag) example = "true";
+    for (std::size_t i = 0; i < parameter.typical_list.size(); ++i)
+      example = (i == 0 ? "[" : example + ", ") + shown(parameter.typical_list[i]);
+    const std::string_view typical = kept(parameter.is_list() ? example + "]" : example);
     Value value = quantity(parse_unit_dimension(unit), parameter.name == "exponent" ? bounds::positive : bounds::any)
                       .in(parameter.unit);
     if (parameter.name == "stiffness" && !law.presses_soil) value = value.or_map(stiffness).or_one_of(estimated);
+    if (parameter.is_flag) value = boolean();
+    if (parameter.is_list()) value = value.or_list();
     const Presence presence = parameter.need == laws::Need::optional ? otherwise(typical) : need_of(parameter, law);
     return {parameter.name, value, presence, parameter.meaning, typical};
   }

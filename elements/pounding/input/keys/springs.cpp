@@ -23,9 +23,13 @@ struct OfLaws : YieldingKeys {
     for (const auto& parameter : L::parameters) {
       if (parameter.info.name == "stiffness") continue;
       Key& spec = own.emplace_back(key_of(parameter, made));
-      spec.form = Form::one_or_each;
-      spec.meaning = kept(
-          fmt::format("{}: one value for all storeys, or a list from the ground up.", capital(parameter.info.meaning)));
+      if (parameter.info.is_list()) {
+        spec.meaning = kept(fmt::format("{}, the same for all storeys.", capital(parameter.info.meaning)));
+      } else {
+        spec.form = Form::one_or_each;
+        spec.meaning = kept(fmt::format("{}: one value for all storeys, or a list from the ground up.",
+                                        capital(parameter.info.meaning)));
+      }
       if (spec.need == Need::required) example.add(spec);
     }
     add_choices(made, own);

@@ -47,6 +47,12 @@ class YieldingKeys {
     return fmt::format("{:g}{}{}", value, unit.empty() ? "" : " ", unit);
   }
 
+  static std::string shown_list(const hysteresis::ParameterInfo& info) {
+    std::string all;
+    for (const double value : info.typical_list) all += (all.empty() ? "[" : ", ") + shown(value, info.unit);
+    return all + "]";
+  }
+
   /// Key of a parameter of a law: the example is its typical value, the default its value in `made`.
   template <class Parameter, class L>
   Key key_of(const Parameter& parameter, const L& made) {
@@ -56,8 +62,9 @@ class YieldingKeys {
              quantity(parse_unit_dimension(info.unit)).in(info.unit),
              is_required ? required : optional,
              kept(fmt::format("{}.", capital(info.meaning))),
-             kept(shown(info.typical, info.unit)),
+             kept(info.is_list() ? shown_list(info) : shown(info.typical, info.unit)),
              "0.2.0"};
+    if (info.is_list()) spec.form = Form::one_or_list;
     if (!is_required)
       spec.otherwise = parameter.value ? kept(shown(made.*parameter.value, info.unit)) : std::string_view("none");
     return spec;
