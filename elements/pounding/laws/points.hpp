@@ -47,8 +47,7 @@ struct Polyline {
   double area(double where) const noexcept {
     double sum = 0;
     const std::size_t last = segment(where);
-    for (std::size_t end = first(); end < last; ++end)
-      sum += 0.5 * (begin_y(end) + y[end]) * (x[end] - begin_x(end));
+    for (std::size_t end = first(); end < last; ++end) sum += 0.5 * (begin_y(end) + y[end]) * (x[end] - begin_x(end));
     return sum + 0.5 * (begin_y(last) + at(where).value) * (where - begin_x(last));
   }
   /// First corner: the end of the first segment that is followed by another one; infinite if there is none.
