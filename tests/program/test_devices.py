@@ -159,7 +159,7 @@ analysis: {{duration: 3, tolerance: 1e-7, output_step: 10 ms}}
     def test_power_dampers_as_the_second_integrator_has_them(self):
         from scipy.integrate import solve_ivp
 
-        for exponent, rounding in ((0.35, 1e-3), (0.5, 5e-3), (2, 1e-3)):
+        for exponent, rounding in ((0.05, 1e-3), (0.1, 1e-3), (0.35, 1e-3), (0.5, 5e-3), (1.5, 1e-3), (2, 1e-3)):
             with self.subTest(exponent=exponent):
                 words = f"coefficient: 200 kN (s/m)^{exponent}, exponent: {exponent}, rounding_velocity: {rounding}"
                 summary, path = self.results(oscillators(f"damper: {{{words}}}", tolerance=1e-8))
@@ -183,6 +183,36 @@ analysis: {{duration: 3, tolerance: 1e-7, output_step: 10 ms}}
                 self.near(u, exact[:, :2], 2e-6)
                 self.near(force, pull(exact[:, 3] - exact[:, 2]), 2e-5)
                 self.assertLess(summary["energy"]["error"], 1e-6)
+
+    @unittest.skipIf(WITHOUT_SCIPY, "needs scipy")
+    def test_power_dampers_with_a_brace_as_a_stiff_integrator_has_them(self):
+        # The stretch s of the brace is an unknown: ds/dt = v - (k |s|/c)^(1/a) sign s.
+        from scipy.integrate import solve_ivp
+
+        brace, w = 4e7, [math.sqrt(k / m) for k, m in zip(STIFFNESSES, MASSES)]
+        for exponent in (0.05, 0.1, 0.5, 1.5, 2):
+            with self.subTest(exponent=exponent):
+                words = f"coefficient: 200 kN (s/m)^{exponent}, exponent: {exponent}, stiffness: {brace}"
+                summary, path = self.results(oscillators(f"damper: {{{words}}}", tolerance=1e-8))
+                t, u, _, _, force = self.motions(path)
+
+                def motion(time, x):
+                    ground = AMPLITUDE * math.sin(2 * math.pi / PERIOD * time)
+                    f, slips = brace * x[4], math.copysign((brace * abs(x[4]) / 2e5) ** (1 / exponent), x[4])
+                    return [
+                        x[2],
+                        x[3],
+                        -ground - w[0] ** 2 * x[0] - 0.1 * w[0] * x[2] + f / MASSES[0],
+                        -ground - w[1] ** 2 * x[1] - 0.1 * w[1] * x[3] - f / MASSES[1],
+                        x[3] - x[2] - slips,
+                    ]
+
+                exact = solve_ivp(motion, (0, 3), np.zeros(5), "Radau", t, rtol=1e-9, atol=1e-13, max_step=5e-3).y.T
+                self.near(u, exact[:, :2], 1e-5)
+                self.near(force, brace * exact[:, 4], 1e-4)
+                self.assertLess(summary["energy"]["error"], 1e-5)
+                # Friction-like dampers reverse at each stop; the steps there are bounded.
+                self.assertLess(summary["solver"]["steps"], 20000)
 
     def test_keep_the_order_of_the_schemes(self):
         for scheme, order in (("", 4), (", " + SECOND_ORDER + "1", 2), (", " + SECOND_ORDER + "0.8", 2)):

@@ -86,13 +86,13 @@ TEST(DeviceSpring, RefusesNumbersThatCannotBe) {
     EXPECT_THROW(DeviceSpring({.damper = Damper{.coefficient = 1, .exponent = 0.5, .rounding_velocity = wrong}}),
                  std::invalid_argument);
   }
-  for (const double wrong : {0.19, 2.1, -1.0, std::nan("")})
+  for (const double wrong : {0.049, 2.1, -1.0, std::nan("")})
     EXPECT_THROW(DeviceSpring({.damper = Damper{.coefficient = 1, .exponent = wrong}}), std::invalid_argument);
 }
 
 // The number of steps would be inversely proportional to the relaxation time.
 TEST(DeviceSpring, RefusesASpringInSeriesThatIsFarTooStiff) {
-  for (const double exponent : {0.2, 0.5, 1.0}) {
+  for (const double exponent : {0.05, 0.2, 0.5, 1.0, 2.0}) {
     const double stiffest = exponent * 2e6 / Damper::shortest_relaxation;
     EXPECT_NO_THROW(
         DeviceSpring({.damper = Damper{.coefficient = 2e6, .exponent = exponent, .stiffness = 0.999 * stiffest}}));
@@ -102,9 +102,9 @@ TEST(DeviceSpring, RefusesASpringInSeriesThatIsFarTooStiff) {
   }
 }
 
-// s + lag g(s) = length: g is a power of the stretch from 1 to 5, and the lag ranges from zero to infinity.
+// s + lag g(s) = length: g is a power of the stretch from 1/2 to 20, and the lag ranges from zero to infinity.
 TEST(DeviceSpring, SolvesTheStretchBesideItsDashpot) {
-  for (const double exponent : {0.2, 0.35, 0.7, 1.0}) {
+  for (const double exponent : {0.05, 0.2, 0.35, 0.7, 1.0, 1.5, 2.0}) {
     const Damper damper{.coefficient = c, .exponent = exponent, .stiffness = 8 * k};
     for (const double lag : {1e-9, 1e-4, 3e-3, 1.0, 1e4})
       for (const double length : {-0.3, -0.01, 1e-7, 2e-3, 0.05}) {
@@ -181,8 +181,7 @@ TEST(DeviceSpring, RefusesPartsThatContradict) {
   EXPECT_THROW(DeviceSpring({.bar = Bar{k}, .law = law}), std::invalid_argument);
   EXPECT_THROW(DeviceSpring({.law = hysteresis::Settings{.law = "bilinear", .values = {{"stiffness", k}}}}),
                std::invalid_argument);
-  EXPECT_THROW(DeviceSpring({.damper = Damper{.coefficient = c, .exponent = 1.5, .stiffness = k}}),
-               std::invalid_argument);
+  EXPECT_NO_THROW(DeviceSpring({.damper = Damper{.coefficient = c, .exponent = 1.5, .stiffness = k}}));
   EXPECT_THROW(DeviceSpring({.damper = Damper{.coefficient = c, .stiffness = -k}}), std::invalid_argument);
 }
 

@@ -26,16 +26,16 @@ struct Bar {
 /// Maxwell element. The force is f = k_d s with the stretch s of the spring. The dashpot elongates at the rate
 /// (|f|/c)^(1/a) sign f, without regularisation:
 ///
-///   df/dt = k_d (v - (|f|/c)^(1/a) sign f),   a <= 1.
+///   df/dt = k_d (v - (|f|/c)^(1/a) sign f).
 struct Damper {
-  static constexpr double min_exponent = 0.2, largest_exponent = 2;
+  static constexpr double min_exponent = 0.05, largest_exponent = 2;
   /// Lower bound on the relaxation time a c/k_d of a Maxwell element at 1 m/s [s]. Smaller values give the same motion
   /// at a higher cost: the number of steps is inversely proportional to this time, about 10,000 per second at the
   /// bound. Braces of real dampers exceed 1e-5 s.
   static constexpr double shortest_relaxation = 1e-8;
 
   double coefficient = 0;           ///< c > 0 [N (s/m)^a]
-  double exponent = 1;              ///< a in [0.2, 2]
+  double exponent = 1;              ///< a in [0.05, 2]
   double rounding_velocity = 1e-3;  ///< v0 > 0 [m/s]; unused for a = 1 and with a stiffness
   double stiffness = 0;             ///< k_d > 0 of the spring in series [N/m]; 0 for a rigid connection
 

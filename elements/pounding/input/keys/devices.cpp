@@ -106,7 +106,7 @@ constexpr Key damper_keys[] = {
      "0.2.0"},
     {"stiffness", quantity(dimension::stiffness, bounds::positive), otherwise("rigid"),
      "Stiffness k in series with the damper, of its brace and fluid (Maxwell element): df/dt = k (v - (|f|/c)^(1/a) "
-     "sign f). The exponent is at most 1.",
+     "sign f).",
      "40 MN/m", "0.2.0"},
 };
 
