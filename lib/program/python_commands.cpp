@@ -90,7 +90,7 @@ void add_view(CLI::App& app) {
       if (!value->empty()) arguments.push_back(name + *value);
     arguments.insert(arguments.end(), {"--", options->file});
     // Models need the compiled part of the package.
-    become_python("view", arguments);
+    become_python("view_command", arguments);
   });
 }
 

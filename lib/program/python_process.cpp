@@ -7,6 +7,7 @@
 
 #include <cerrno>
 #include <csignal>
+#include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
@@ -152,6 +153,13 @@ std::string last_line(const std::string& text) {
   return text.substr(begin, end + 1 - begin);
 }
 
+/// Prints the warnings in the output of Python.
+void show_warnings(const std::string& output) {
+  for (const std::string_view line : parts_between(output, "\n"))
+    if (line.starts_with("pounding: warning: "))
+      std::fprintf(stderr, "%.*s\n", static_cast<int>(line.size()), line.data());
+}
+
 }  // namespace
 
 void name_packaged_records() {
@@ -188,7 +196,7 @@ void run_python(const PythonTask& task, const std::vector<std::string>& options,
   if (outcome.spawn_error != 0)
     throw InputError(failure + "\"" + python + "\" cannot be started: " + std::strerror(outcome.spawn_error) + ". " +
                      what_to_install);
-  if (outcome.exit_code == 0) return;
+  if (outcome.exit_code == 0) return show_warnings(outcome.output);
   std::string message = last_line(outcome.output);
   if (constexpr std::string_view ours = "pounding: "; message.starts_with(ours)) message.erase(0, ours.size());
   if (outcome.exit_code == 3 && !message.empty()) throw SolverError(failure + message);

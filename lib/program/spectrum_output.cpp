@@ -77,13 +77,14 @@ std::string spectra_json(const std::string& title, double damping, const std::ve
 
 void SpectrumArguments::add_to(CLI::App& command) {
   command.add_option("--damping", damping, "Damping ratio")->capture_default_str();
-  command.add_option("--periods", periods, "first:last:count [s], in geometric progression")->capture_default_str();
+  command.add_option("--periods", periods,
+                     "first:last:count [s], in geometric progression (default: 0.02:4:50, with --picture 0.02:4:200)");
   names_a_file(command.add_option("--csv", csv, "Write to this file, in SI, instead of printing"));
   names_a_file(command.add_option("--picture", picture, "Draw to this file, .png, .pdf or .svg, instead of printing"));
 }
 
 std::vector<double> SpectrumArguments::read_periods() const {
-  const std::string& text = periods;
+  const std::string text = !periods.empty() ? periods : picture.empty() ? "0.02:4:50" : "0.02:4:200";
   const auto fail = [&]() -> InputError {
     return InputError(
         fmt::format("--periods: type first:last:count with 0 < first < last and count from 2 to 10000, such as "

@@ -12,7 +12,8 @@ namespace pounding::program {
 
 /// Computation and destination of a spectrum.
 struct SpectrumArguments {
-  std::string damping = "5 %", periods = "0.02:4:50", csv, picture;
+  std::string damping = "5 %", csv, picture;
+  std::string periods;  ///< empty: 0.02:4:50, with a picture 0.02:4:200
 
   /// Adds --damping, --periods, --csv and --picture.
   void add_to(CLI::App& command);

@@ -36,11 +36,12 @@ if TYPE_CHECKING:
     from pounding import opensees as opensees
     from pounding import plan as plan
     from pounding import results as results
-    from pounding._modes import Mode, Modes, modes
+    from pounding._modes import Mode, Modes
     from pounding._pushover import pushover
     from pounding.contact import FreeImpact, Law, Response, calibrate, laws
+    from pounding.contact_state import ContactState
     from pounding.errors import AccuracyWarning, ImplausibleWarning, InputError, Interrupted, SolverError
-    from pounding.models import Model, check
+    from pounding.models import Model, check, modes
     from pounding.opensees.from_model import from_opensees
     from pounding.pushover_curve import Pushover, read_pushover
     from pounding.records import record
@@ -56,6 +57,7 @@ if TYPE_CHECKING:
 
 __all__ = [
     "AccuracyWarning",
+    "ContactState",
     "FreeImpact",
     "ImplausibleWarning",
     "InputError",
@@ -97,11 +99,12 @@ __all__ = [
 _PUBLIC_MODULES = ("animation", "contact", "models", "opensees", "plan", "results")
 #: The module of every other public name.
 _MODULES = {
-    "_modes": ("Mode", "Modes", "modes"),
+    "_modes": ("Mode", "Modes"),
     "_pushover": ("pushover",),
     "contact": ("FreeImpact", "Law", "Response", "calibrate", "laws"),
+    "contact_state": ("ContactState",),
     "errors": ("AccuracyWarning", "ImplausibleWarning", "InputError", "Interrupted", "SolverError"),
-    "models": ("Model", "check"),
+    "models": ("Model", "check", "modes"),
     "opensees.from_model": ("from_opensees",),
     "pushover_curve": ("Pushover", "read_pushover"),
     "records": ("record",),
@@ -128,4 +131,4 @@ def __getattr__(name: str) -> Any:
 
 
 def __dir__() -> list[str]:
-    return sorted({*globals(), *__all__, *_PUBLIC_MODULES, "__version__"})
+    return sorted({*__all__, *_PUBLIC_MODULES, "__doc__", "__file__", "__name__", "__path__", "__version__"})

@@ -14,7 +14,7 @@ from pounding.working_folder import leave_working_folder_out
 
 #: The program in the wheel and in the build tree.
 PROGRAM = Path(__file__).parent / "bin/pounding"
-MODULES = {"plot": "plots", "animate": "animation", "view": "view", "export": "export"}
+MODULES = {"plot": "plots", "animate": "animation", "view": "view_command", "export": "export"}
 #: Commands that run in this process, also as a worker of mpi4py.futures.
 STUDIES = ("study", "suite", "separation", "screen")
 

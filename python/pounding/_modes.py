@@ -5,15 +5,12 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from os import PathLike
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from pounding import printing
 from pounding._native import core
-from pounding.arguments import takes, whole
-from pounding.models import Model, as_model
 from pounding.pictures.html import table
 
 if TYPE_CHECKING:
@@ -80,14 +77,6 @@ class Modes(printing.ReportLines, Mapping[str, list[Mode]], lines=printing.modes
             for name, drawn in self._drawn.items()
         ]
         return plot_modes(structures, title or self._title or "Mode shapes")
-
-
-@takes(count=whole(1, 10_000))
-def modes(model: Model | str | PathLike[str], count: int = 12) -> Modes:
-    """Natural modes of a model or an input file, longest period first. `count` limits the modes of frames; other
-    structures have all of them, walls have none. Raises InputError."""
-    model = as_model(model)
-    return Modes(core.modes(model._source(), count), str(model.title or ""))
 
 
 def _mode(one: core.Mode, is_frame: bool) -> Mode:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import io
 import os
 import sys
+import warnings
 from collections.abc import Callable
 from typing import Any, TextIO, cast
 
@@ -19,7 +20,9 @@ def exit_code(main: Callable[[], int]) -> int:
     output, errors = _Stream(sys.stdout), _Stream(sys.stderr)
     sys.stdout, sys.stderr = cast(Any, output), cast(Any, errors)
     try:
-        code, text = _ended(main)
+        with warnings.catch_warnings():
+            warnings.showwarning = show_warning
+            code, text = _ended(main)
         if text:
             print(f"pounding: {text}", file=sys.stderr)
         output.flush()
@@ -30,6 +33,11 @@ def exit_code(main: Callable[[], int]) -> int:
         return code
     finally:
         sys.stdout, sys.stderr = before
+
+
+def show_warning(message: Warning | str, *_: Any, **__: Any) -> None:
+    """Prints a warning as the program does, for `warnings.showwarning`."""
+    print(f"pounding: warning: {message}", file=sys.stderr)
 
 
 class _Stream:

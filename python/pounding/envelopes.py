@@ -10,6 +10,7 @@ from typing import Any
 import h5py
 import numpy as np
 
+from pounding import printing
 from pounding.texts import read_fields, text, texts
 
 #: Edges of a rigid floor in space in the order of `edge_displacement`: displacements along x at both ends of the plan
@@ -22,8 +23,8 @@ def section_signs(components: list[str]) -> np.ndarray:
     return np.array([-1.0 if component.startswith("start") else 1.0 for component in components])
 
 
-@dataclass(frozen=True)
-class Extremes:
+@dataclass(frozen=True, repr=False)
+class Extremes(printing.ReportLines, lines=printing.extremes):
     """Minima and maxima of a quantity, signed, along the last axis of both arrays."""
 
     values: np.ndarray  #: [..., 2]
@@ -45,8 +46,8 @@ class Extremes:
         return np.abs(self.values).max(axis=-1)
 
 
-@dataclass(frozen=True)
-class StructureEnvelope:
+@dataclass(frozen=True, repr=False)
+class StructureEnvelope(printing.ReportLines, lines=printing.envelope):
     """Extremes of one structure. Missing quantities are None."""
 
     name: str

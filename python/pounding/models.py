@@ -12,7 +12,9 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from pounding import arguments, printing, yaml_text
+from pounding._modes import Modes
 from pounding._native import core
+from pounding.arguments import takes, whole
 from pounding.errors import ImplausibleWarning
 from pounding.pictures.html import text_html
 from pounding.records import POUNDING_RECORDS, data_folder
@@ -119,11 +121,14 @@ class Model(printing.ReportLines, lines=printing.model):
 
         Written to `path` (.html) if given: one file, which needs no network. A notebook shows it. Raises InputError;
         ImportError without plotly."""
-        from pounding.view import check_output, view_of_model
+        from pounding.results import RunData
+        from pounding.view import check_output, view_of_run
 
         if path is not None:
             check_output(path)
-        made = view_of_model(self, modes, scale, title)
+        at_rest = RunData.from_image(core.image_at_rest(self._source()))
+        found = Modes(core.modes(self._source(), modes), "") if modes else None
+        made = view_of_run(at_rest, found, None, scale, title)
         if path is not None:
             made.save(path)
         return made
@@ -188,3 +193,11 @@ def check(model: Model | str | PathLike[str]) -> Checked:
     for doubt in doubts:
         warnings.warn(doubt, ImplausibleWarning, stacklevel=2)
     return Checked(description, resolved, tuple(doubts))
+
+
+@takes(count=whole(1, 10_000))
+def modes(model: Model | str | PathLike[str], count: int = 12) -> Modes:
+    """Natural modes of a model or an input file, longest period first. `count` limits the modes of frames; other
+    structures have all of them, walls have none. Raises InputError."""
+    model = as_model(model)
+    return Modes(core.modes(model._source(), count), str(model.title or ""))

@@ -216,6 +216,34 @@ def film(one: Any) -> list[str]:
     ]
 
 
+def extremes(one: Any) -> list[str]:
+    """Number of values; smallest and largest."""
+    shape = " x ".join(map(str, one.values.shape[:-1])) or "1"
+    if not one.values.size:
+        return ["minima and maxima of nothing"]
+    return [
+        f"minima and maxima of {shape} values",
+        f"smallest {np.nanmin(one.min):.4g}, largest {np.nanmax(one.max):.4g}",
+        "times of both in .times [s]",
+    ]
+
+
+def envelope(one: Any) -> list[str]:
+    """Name and floors; largest values; members and supports."""
+    units = {"displacement": "m", "drift": "m", "acceleration": "m/s^2", "storey_shear": "N", "member_force": "N, N m"}
+    found = [
+        f"{name} {peak(extreme.peak)} {unit}"
+        for name, unit in units.items()
+        if (extreme := getattr(one, name)) is not None and extreme.values.size
+    ]
+    others = f"{counted(len(one.members), 'member')}, {counted(len(one.supports), 'support')}"
+    return [
+        f"extremes of {one.name}: {counted(len(one.floors), 'floor')}, directions {', '.join(one.directions) or 'none'}",
+        f"largest in all steps: {', '.join(found) or 'nothing'}",
+        f"{others}; arrays in .displacement.min and so on, tables by results.to_pandas()",
+    ]
+
+
 def view(one: Any) -> list[str]:
     """Instants of the film and modes; size; how to save it."""
     return [

@@ -22,6 +22,7 @@ from pounding.errors import InputError
 from pounding.texts import text, texts
 
 if TYPE_CHECKING:
+    import pandas
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
@@ -41,7 +42,9 @@ class PushoverEvent:
 def _lines(found: Any) -> list[str]:
     """State; events; measures."""
     end = f"{1e3 * found.displacement[-1]:.4g} mm, {found.base_shear[-1] / 1e3:.4g} kN"
-    events = [f"{', '.join(event.parts)} at {1e3 * event.displacement:.4g} mm" for event in found.events if event.first]
+    events = [
+        f"{printing.few(event.parts, 2)} at {1e3 * event.displacement:.4g} mm" for event in found.events if event.first
+    ]
     mechanism = (
         "no mechanism"
         if found.mechanism is None
@@ -111,6 +114,31 @@ class Pushover(printing.ReportLines, lines=_lines):
             summary=summary,
         )
 
+    def to_pandas(self) -> dict[str, pandas.DataFrame]:
+        """Tables: "curve" with one row per point (displacement and floors [m], base_shear [N]), "events", and "parts" with
+        the largest deformation [m] or [rad] and force [N] or [N m] of each. Raises ImportError without pandas."""
+        try:
+            import pandas
+        except ModuleNotFoundError as error:
+            raise ImportError("this needs pandas: type python3 -m pip install pandas") from error
+        floors = {f"floor {i + 1}": values for i, values in enumerate(self.floor_displacement.T)}
+        curve = {"displacement": self.displacement, "base_shear": self.base_shear, **floors}
+        events = [
+            [one.point, one.displacement, one.base_shear, one.kind, one.first, ", ".join(one.parts)]
+            for one in self.events
+        ]
+        parts = {
+            "deformation": np.abs(self.deformation).max(axis=0, initial=0.0),
+            "force": np.abs(self.force).max(axis=0, initial=0.0),
+        }
+        return {
+            "curve": pandas.DataFrame(curve, pandas.Index(range(len(self.displacement)), name="point")),
+            "events": pandas.DataFrame(
+                events, columns=["point", "displacement", "base_shear", "kind", "first", "parts"]
+            ),
+            "parts": pandas.DataFrame(parts, pandas.Index(self.parts, name="part")),
+        }
+
     @takes(title=optional(arguments.text), size=optional(arguments.size))
     def plot(self, title: str | None = None, size: tuple[float, float] | None = None) -> Figure:
         """A picture of the curve with numbered events and the bilinear idealisation. `size` is width and height [in].
@@ -151,7 +179,8 @@ def pushover_figure(found: Pushover, title: str = "", size: tuple[float, float] 
     with picture(size, title) as figure:
         axes = figure.subplots()
         _draw_curve(axes, found)
-        _number_events(axes, found, 38)
+        # Below a low picture there is room for few events.
+        _number_events(axes, found, 38, min(MOST, max(0, int((size[1] - 2.4) / 0.16))) if narrow else MOST)
         # Events are listed below a narrow picture and next to a wide one.
         figure.legend(
             *axes.get_legend_handles_labels(),
@@ -195,8 +224,8 @@ def _draw_curve(axes: Axes, found: Pushover) -> None:
     axes.margins(x=0.02)
 
 
-def _number_events(axes: Axes, found: Pushover, letters: int) -> None:
-    """Numbers every first yield as in the table of events, with its parts in the legend."""
+def _number_events(axes: Axes, found: Pushover, letters: int, most: int) -> None:
+    """Numbers every first yield as in the table of events, with the parts of the first `most` in the legend."""
     from pounding.pictures.panels import note
     from pounding.pictures.style import BLUE, FORCE_UNITS, MM, engineering, largest
 
@@ -206,7 +235,7 @@ def _number_events(axes: Axes, found: Pushover, letters: int) -> None:
     for place, (number, event) in enumerate(events, 1):
         x, y = MM * event.displacement, event.base_shear / size
         axes.plot(x, y, "o", color=BLUE, markersize=3.5, zorder=4)
-        if place <= MOST:
+        if place <= most:
             words = "\n".join(textwrap.wrap(printing.few(event.parts, 3), letters, subsequent_indent="    "))
             axes.plot([], [], linestyle="none", label=f"{number}  {words}")
         # Overlapping numbers share a position.
@@ -234,8 +263,9 @@ def _number_events(axes: Axes, found: Pushover, letters: int) -> None:
             fontsize=7.5,
             zorder=6,
         )
-    if len(events) > MOST:
-        axes.plot([], [], linestyle="none", label=f"and {len(events) - MOST} more")
+    if len(events) > most:
+        words = f"and {len(events) - most} more" if most else f"numbers of {len(events)} events"
+        axes.plot([], [], linestyle="none", label=words)
 
 
 def _is_near(axes: Axes, one: tuple[float, float], other: tuple[float, float]) -> bool:

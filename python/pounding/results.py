@@ -120,9 +120,22 @@ class Structure(printing.ReportLines, lines=printing.structure):
         """Directions of the floors' motion: ["x"], or ["x", "y", "rz"] in space."""
         return list(self.along)
 
+    @takes(quantity=arguments.text)
+    def in_all_directions(self, quantity: str = "displacement") -> np.ndarray:
+        """[time, floor, direction] of a quantity in the order of `directions`: x, in space x, y and rz.
+
+        `quantity` is displacement, velocity, acceleration, drift or storey_shear; along rz in rad instead of m. NaN for
+        drifts and shears that a direction does not have. Raises InputError for another quantity."""
+        known = ("displacement", "velocity", "acceleration", "drift", "storey_shear")
+        if quantity not in known:
+            raise InputError(f"unknown quantity {excerpt(quantity)}; known: {', '.join(known)}")
+        missing = np.full(self.displacement.shape, np.nan)
+        found = [getattr(motion, quantity) for motion in self.along.values()]
+        return np.stack([values if values.shape == missing.shape else missing for values in found], axis=-1)
+
     @property
     def displacement(self) -> np.ndarray:
-        """[time, floor] along x, relative to the ground [m]."""
+        """[time, floor] along x, relative to the ground [m]; other directions: `in_all_directions`."""
         return self.along["x"].displacement
 
     @property

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any
 
 from pounding import arguments, comparison
 from pounding.arguments import flag, number, optional, takes, text, whole
+from pounding.errors import InputError
 from pounding.pictures.html import run_html
 from pounding.results import RunData
 from pounding.spectra import Spectrum, floor_spectrum, ground_spectra
@@ -21,6 +22,7 @@ if TYPE_CHECKING:
     import xarray
     from matplotlib.figure import Figure
 
+    from pounding._modes import Modes
     from pounding._native import core
     from pounding.animation import Film
     from pounding.view import View
@@ -161,14 +163,29 @@ class Run(RunData):
         Written to `path` (.html) if given: one file, which needs no network. A notebook shows it. `frames` is the number of
         instants of the film, by default as many as suit a file of 20 MB. Raises InputError; ImportError without
         plotly."""
-        from pounding.view import check_output, modes_of_run, view_of_run
-
+        views = _needing("matplotlib", "pounding.view")
         if path is not None:
-            check_output(path)
-        made = view_of_run(self, modes_of_run(self, modes) if modes else None, frames, scale, title)
+            views.check_output(path)
+        made: View = views.view_of_run(self, self._modes(modes) if modes else None, frames, scale, title)
         if path is not None:
             made.save(path)
         return made
+
+    def _modes(self, count: int) -> Modes:
+        """Modes of the structures, from the input in the file. Raises InputError."""
+        from pounding.models import Model
+        from pounding.models import modes as modes_of
+
+        model = Model.from_yaml(self.model_yaml)
+        # Modes do not depend on these, and the record may be elsewhere now.
+        model.ground_motion, model.analysis = None, {"duration": "1 s"}
+        try:
+            return modes_of(model, count)
+        except InputError as error:
+            raise InputError(
+                f"the modes cannot be computed from the input in the results: {error}. Type pounding view MODEL.yaml "
+                f"--modes {count}"
+            ) from error
 
     def to_pandas(self) -> dict[str, pandas.DataFrame]:
         """A DataFrame for each group of the file, in SI, with its time [s] as index.
@@ -177,7 +194,7 @@ class Run(RunData):
         (quantity, floor, direction), including (edge_displacement, floor, edge) of rigid floors in space. If the input
         requests them: "structures/NAME/nodes" with (quantity, node, direction), and with (member, component)
         "structures/NAME/members", end forces, and "structures/NAME/sections", internal forces with N positive in
-        tension. The `attrs` of the last two state whether gravity is included. Raises ImportError without pandas."""
+        tension; "envelopes/NAME" has the extremes of all steps by (quantity, item, direction). The `attrs` of members and sections state whether gravity is included. Raises ImportError without pandas."""
         return _needing("pandas", "pounding.tables").to_pandas(self)
 
     def to_xarray(self) -> dict[str, xarray.Dataset]:

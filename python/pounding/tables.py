@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from pounding.envelopes import EDGES
+from pounding.envelopes import EDGES, StructureEnvelope
 from pounding.results import FloorMotion, MemberForces, RunData, Structure
 
 if TYPE_CHECKING:
@@ -39,6 +39,29 @@ class Group(NamedTuple):
     coordinates: dict[str, list[str]]  #: dimension -> names
 
 
+def _envelope(one: StructureEnvelope) -> pandas.DataFrame:
+    """Rows (quantity, item, direction): min, max and their times [s]. Items are floors, edges, members or supports."""
+    import pandas
+
+    axes = {
+        **{name: (one.floors, one.directions) for name in ("displacement", "acceleration")},
+        "edge_displacement": (one.floors, list(EDGES)),
+        **{name: (one.floors, one.directions) for name in ("drift", "storey_shear")},
+        "member_force": (one.members, one.components),
+        "reaction": (one.supports, one.support_directions),
+    }
+    rows, values = [], []
+    for quantity, (items, directions) in axes.items():
+        extremes = getattr(one, quantity)
+        if extremes is None:
+            continue
+        for place in np.ndindex(extremes.values.shape[:-1]):
+            rows.append((quantity, items[place[0]], directions[place[1]]))
+            values.append([*extremes.values[place], *extremes.times[place]])
+    index = pandas.MultiIndex.from_tuples(rows, names=["quantity", "item", "direction"]) if rows else None
+    return pandas.DataFrame(np.reshape(values, (-1, 4)), index, ["min", "max", "time_of_min", "time_of_max"])
+
+
 def to_pandas(run: RunData) -> dict[str, pandas.DataFrame]:
     """See `pounding.Run.to_pandas`."""
     import pandas
@@ -66,6 +89,7 @@ def to_pandas(run: RunData) -> dict[str, pandas.DataFrame]:
             tables[group] = _table(index, _by_direction(run.structures[group.partition("/")[2]], columns), names)
         else:
             tables[group] = _table(index, columns, names)
+    tables |= {f"envelopes/{name}": _envelope(one) for name, one in run.envelopes.items()}
     return tables
 
 

@@ -1,16 +1,14 @@
-"""Interactive view of a run or of a model: `pounding view RESULTS.h5 [-o view.html]` calls `python3 -m pounding.view`.
+"""Interactive views of runs and models.
 
 One HTML file with the model in three dimensions, the film of the run and mode shapes. It contains plotly.js and needs
 no network. Needs plotly: `python3 -m pip install plotly`, or `pounding[view]`."""
 
 from __future__ import annotations
 
-import argparse
 import html
 import json
 import math
 import sys
-import warnings
 from collections.abc import Mapping
 from dataclasses import dataclass
 from os import PathLike
@@ -21,11 +19,8 @@ import numpy as np
 
 from pounding import arguments, printing
 from pounding.animation import FASTEST, SLOWEST, choose_scale, frame_times, pressed
-from pounding.arguments import optional, takes, whole
-from pounding.checked_file import HoldsPushover, NotResults
-from pounding.ended import exit_code
-from pounding.errors import InputError
-from pounding.outputs import Kind, cannot_read, destination, output_for, replaced, tell
+from pounding.arguments import takes
+from pounding.outputs import Kind, destination, replaced
 from pounding.pictures.drawing import VIEWS
 from pounding.pictures.scene import Scene
 from pounding.pictures.style import TIME_UNITS, BadRequest
@@ -34,7 +29,6 @@ from pounding.results import RunData
 
 if TYPE_CHECKING:
     from pounding._modes import Modes
-    from pounding.models import Model
 
 #: Maximum size of the film in the file [bytes]; plotly.js takes 5 MB.
 FILM = 12e6
@@ -113,36 +107,6 @@ def view_of_run(
         before, after = whole_page.split(name, 1)
         whole_page = before + piece + after
     return View(whole_page, len(page["film"]["times"]) if has_film else 0, len(page["modes"]))
-
-
-@takes(modes=whole(0, 1000))
-def view_of_model(
-    model: Model, modes: int = 0, scale: float | None = None, title: str | None = None, frames: int | None = None
-) -> View:
-    """The view of a model at rest, with mode shapes."""
-    from pounding._modes import modes as modes_of
-    from pounding._native import core
-
-    with warnings.catch_warnings():
-        run = RunData.from_image(core.image_at_rest(model._source()))
-    return view_of_run(run, modes_of(model, modes) if modes else None, frames, scale, title)
-
-
-def modes_of_run(run: RunData, count: int) -> Modes:
-    """Modes of the structures of a run, from the input in its file. Raises InputError."""
-    from pounding._modes import modes as modes_of
-    from pounding.models import Model
-
-    model = Model.from_yaml(run.model_yaml)
-    # Modes do not depend on these, and the record may be elsewhere now.
-    model.ground_motion, model.analysis = None, {"duration": "1 s"}
-    try:
-        return modes_of(model, count)
-    except InputError as error:
-        raise InputError(
-            f"the modes cannot be computed from the input in the results: {error}. Type pounding view MODEL.yaml "
-            f"--modes {count}"
-        ) from error
 
 
 def _plotly() -> str:
@@ -259,48 +223,3 @@ def _modes(scene: Scene, found: Modes) -> list[dict[str, Any]]:
         more = f"; and {len(having) - 6} more" if len(having) > 6 else ""
         drawn.append({"about": f"Mode {number + 1}. {about}{more}", "motion": vars(mode_motions(scene, dict(shapes)))})
     return drawn
-
-
-def main(arguments: list[str] | None = None) -> int:
-    """Command line. Returns 0, or 2 after a message if the file cannot be read or the view cannot be written."""
-    parser = argparse.ArgumentParser(
-        prog="pounding view", description="Interactive view of a run or a model: one HTML file."
-    )
-    parser.add_argument("file", help="results file that `pounding run` wrote, or input file")
-    parser.add_argument("-o", "--output", help="file to write: .html (default: FILE.html in the current folder)")
-    parser.add_argument("--modes", type=int, default=0, help="number of mode shapes per structure")
-    parser.add_argument("--frames", type=int, help="number of instants of the film")
-    parser.add_argument("--scale", type=float, help="scale factor of displacements and gaps")
-    parser.add_argument("--title", help="title instead of that of the run")
-    options = parser.parse_args(arguments)
-    output = output_for(options.file, options.output, ".html")
-    try:
-        check_output(output)
-        view = _view_of_file(options)
-        view.save(output)
-    except HoldsPushover:
-        print("a pushover has no view; type pounding plot for its curve", file=sys.stderr)
-        return 2
-    except (InputError, ImportError) as error:
-        print(f"pounding: {error}", file=sys.stderr)
-        return 2
-    except (OSError, NotResults) as error:
-        print(f"pounding: {cannot_read(options.file, error)}", file=sys.stderr)
-        return 2
-    tell("view", output)
-    return 0
-
-
-def _view_of_file(options: argparse.Namespace) -> View:
-    count = whole(0, 1000)("--modes", options.modes)
-    if Path(options.file).suffix != ".h5":
-        from pounding.models import Model
-
-        model = Model.from_file(options.file)
-        return view_of_model(model, count, options.scale, options.title, options.frames)
-    run = RunData.read(options.file)
-    return view_of_run(run, modes_of_run(run, count) if count else None, options.frames, options.scale, options.title)
-
-
-if __name__ == "__main__":
-    sys.exit(exit_code(main))

@@ -65,7 +65,10 @@ def draw_restitution(axes: Axes, run: RunData) -> None:
     The motion of storeys accelerates or brakes slow impacts. Values above HIGHEST are drawn at the upper edge, with a
     note of their maximum."""
     axes.set_title("Restitution of each impact")
-    axes.set(xlabel="Closing speed [m/s]", ylabel="Restitution")
+    axes.set(
+        xlabel="Closing speed [m/s]\nOther forces on the bodies during an impact change its restitution",
+        ylabel="Restitution",
+    )
     moving = run.impacts[np.isfinite(run.impacts["restitution"])]
     if not moving.size:
         say(axes, "No impact")

@@ -28,6 +28,9 @@ SMALLEST, LARGEST = 4.5, 8.0
 #: Width of a letter over its size, with some air.
 LETTER = 0.62
 
+#: Height below which a narrow figure has one plan [in].
+LOW = 4.0
+
 
 @dataclass(frozen=True)
 class Contact:
@@ -45,8 +48,8 @@ def plan_figure(
     [%].
 
     Lines between neighbours are coloured by the peak force of the hardest impact at any height; thin and grey without
-    impacts. The run without links, if available, is drawn next to it with the same colours, unless `compare` is False.
-    `size` [in]. Raises BadRequest for a run without frames in space, and if `compare` is True without a run to
+    impacts. The run without links, if available, is drawn next to it with the same colours, unless `compare` is False or
+    `size` [in] is too small. Raises BadRequest for a run without frames in space, and if `compare` is True without a run to
     compare."""
     scene = Scene(run)
     drawn = [
@@ -60,7 +63,9 @@ def plan_figure(
         )
     if compare:
         require_comparison(run, "plan")
-    runs = [run] if run.no_pounding is None or compare is False else [run, run.no_pounding]
+    # A small picture has room for one plan.
+    small = compare is None and size is not None and size[0] < NARROW and size[1] < LOW
+    runs = [run] if run.no_pounding is None or compare is False or small else [run, run.no_pounding]
     drifts = [{name: largest_drift(each, each.structures[name]) for name in drawn} for each in runs]
     found = contacts(run)
     rigid = _is_rigid(run)

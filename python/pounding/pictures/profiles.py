@@ -23,6 +23,8 @@ SOLID: dict[str, Any] = {"linewidth": 1.2}
 DASHED: dict[str, Any] = {"linewidth": 1.0, "linestyle": (0, (3, 2))}
 #: Below this width four panels are in two rows [in].
 NARROW = 5.0
+#: Minimum height of a row of panels [in].
+LOWEST = 0.95
 
 
 def profiles_figure(
@@ -31,7 +33,7 @@ def profiles_figure(
     """Minima and maxima of displacement and acceleration of floors and of drift and shear of storeys over the height,
     tracked in every step.
 
-    One row of panels for x, one for y if a structure moves along it, and one for rotations and edge displacements of
+    A small `size` [in] has room for the first panels only. One row of panels for x, one for y if a structure moves along it, and one for rotations and edge displacements of
     rigid floors in space. The run without links, if available, is dashed unless `compare` is False. Raises BadRequest
     if no structure has floors, for a file of version 0.1, which has no extremes, and if `compare` is True without a run
     to compare."""
@@ -56,6 +58,10 @@ def profiles_figure(
     if any(run.envelopes[structure.name].edge_displacement is not None for structure in structures):
         drawn += [("rz", draw_rotation), *((axis, draw_edges) for axis in rows)]
     lines = -(-len(drawn) // columns)
+    if size is not None:
+        # A small figure has the first panels only.
+        lines = min(lines, max(1, int((size[1] - 0.9) / LOWEST)))
+        drawn = drawn[: lines * columns]
     width, height = size or (7.5, 0.9 + 3.4 * lines)
     with picture((width, height), run.title if title is None else title) as figure:
         grid = figure.subplots(lines, columns, sharey=True, squeeze=False)

@@ -31,7 +31,7 @@ from pounding.springs import Springs
 #: Default number of parts.
 SHOWN = 6
 #: Minimum width of a figure for two columns, and minimum height of a loop [in].
-MIN_OF_TWO, MIN_HEIGHT = 3.2, 1.6
+MIN_OF_TWO, MIN_HEIGHT = 4.2, 1.6
 #: Colour of devices, which belong to no structure.
 DEVICE = "0.25"
 #: Draws one loop.

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import io
 import os
+import re
 import sys
 import textwrap
+import warnings
 from collections.abc import Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from os import PathLike
@@ -14,7 +16,7 @@ from typing import Any
 
 import matplotlib
 import numpy as np
-from matplotlib import rc_context
+from matplotlib import font_manager, rc_context
 from matplotlib.figure import Figure
 
 from pounding.errors import InputError
@@ -61,6 +63,12 @@ STYLE: dict[Any, Any] = {
     # TrueType, as journals require.
     "pdf.fonttype": 42,
 }
+#: Fonts with Chinese, Japanese and Korean characters, in order of preference; the first installed one is a fallback.
+EAST_ASIAN = (
+    *("Noto Sans CJK SC", "Noto Sans CJK JP", "Source Han Sans SC", "WenQuanYi Micro Hei", "WenQuanYi Zen Hei"),
+    *("Droid Sans Fallback", "IPAexGothic", "IPAGothic", "TakaoGothic", "VL Gothic", "Noto Sans JP", "Noto Sans SC"),
+    *("Hiragino Sans", "PingFang SC", "Arial Unicode MS", "MS Gothic", "Microsoft YaHei", "SimHei"),
+)
 MM = 1e3
 #: Width of a figure below which legends are below the axes, and small figures have one panel [in].
 NARROW = 4.5
@@ -68,6 +76,35 @@ FORCE_UNITS = ((1e6, "MN"), (1e3, "kN"), (1.0, "N"))
 IMPULSE_UNITS = ((1e6, "MN s"), (1e3, "kN s"), (1.0, "N s"))
 ENERGY_UNITS = ((1e6, "MJ"), (1e3, "kJ"), (1.0, "J"))
 TIME_UNITS = ((1.0, "s"), (1e-3, "ms"))
+
+
+def _fonts() -> list[str]:
+    """The usual font, and one for characters that it lacks."""
+    installed = {font.name for font in font_manager.fontManager.ttflist}
+    return ["DejaVu Sans", *[name for name in EAST_ASIAN if name in installed][:1]]
+
+
+STYLE["font.family"] = _fonts()
+
+
+@contextmanager
+def one_warning_for_missing_letters() -> Iterator[None]:
+    """Replaces the warnings of matplotlib about single characters without a font by one that names the remedy."""
+    with warnings.catch_warnings(record=True) as caught:
+        warnings.simplefilter("always")
+        yield
+    missing = [one for one in caught if re.match(r"Glyph \d+ .* missing from", str(one.message))]
+    for one in caught:
+        if one not in missing:
+            warnings.warn_explicit(one.message, one.category, one.filename, one.lineno)
+    if missing:
+        letters = {chr(int(str(one.message).split()[1])) for one in missing}
+        warnings.warn(
+            f"no installed font has {', '.join(sorted(letters)[:5])}{' ...' if len(letters) > 5 else ''}, which the picture "
+            "shows as boxes; install a font such as fonts-noto-cjk of Debian, then remove the font list in "
+            f"{matplotlib.get_cachedir()}",
+            stacklevel=2,
+        )
 
 
 class BadRequest(InputError):
@@ -94,7 +131,8 @@ class DrawnOnce(Figure):
         """Same as `savefig`, without a check of the existing file."""
         self._layout_is_enough = self.get_layout_engine() is not None
         try:
-            super().savefig(fname, **options)
+            with one_warning_for_missing_letters():
+                super().savefig(fname, **options)
         finally:
             self._layout_is_enough = False
 

@@ -25,7 +25,7 @@ except ImportError as error:  # the program without the package, as after `make 
 
 from pounding.arguments import is_encodable
 from pounding.checked_file import STUDY
-from pounding.ended import exit_code
+from pounding.ended import exit_code, show_warning
 from pounding.errors import ImplausibleWarning, InputError, SolverError
 from pounding.outputs import destination
 from pounding.studies import cross_check
@@ -34,7 +34,7 @@ from pounding.studies.engines import ENGINES, KERNEL, run_batch
 from pounding.studies.execution import available_cores, batch_of
 from pounding.studies.gap_commands import screening, separation
 from pounding.studies.kernel_engine import KernelEngine
-from pounding.studies.options import at_least, shard, show_warning, study_parser, table_name, warn
+from pounding.studies.options import at_least, shard, study_parser, table_name, warn
 from pounding.studies.plan import Plan, read_plan
 from pounding.studies.progress import duration_text
 from pounding.studies.study import Study, records_folder, run_plan

@@ -5,11 +5,9 @@ from __future__ import annotations
 import argparse
 import math
 import re
-import sys
 import warnings
 from collections.abc import Callable
 from pathlib import Path
-from typing import Any
 
 from pounding.checked_file import STUDY
 from pounding.errors import ImplausibleWarning, InputError
@@ -87,11 +85,6 @@ def warn(plan: Plan) -> None:
     """Emits the warnings of a plan."""
     for doubt in plan.warnings:
         warnings.warn(doubt, ImplausibleWarning, stacklevel=2)
-
-
-def show_warning(message: Warning | str, *_: Any, **__: Any) -> None:
-    """Prints a warning without its place in the source; a replacement of warnings.showwarning."""
-    print(f"warning: {message}", file=sys.stderr)
 
 
 def table_name(study: str, given: str | None) -> Path:
