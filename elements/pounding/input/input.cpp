@@ -13,6 +13,7 @@
 
 #include <pounding/core/error.hpp>
 #include <pounding/core/text.hpp>
+#include <pounding/input/keys/sections.hpp>
 #include <pounding/input/yaml_limits.hpp>
 
 namespace pounding {
@@ -27,6 +28,12 @@ bool is_after_comma(std::string_view key) {
   const std::size_t digits = std::min(key.find_first_not_of("0123456789"), key.size());
   return digits > 0 && (digits == key.size() || key[digits] == ' ' ||
                         std::isalpha(static_cast<unsigned char>(key[digits])) || key[digits] == '%');
+}
+
+// True for the digits before a decimal comma: "0" of [0,5 m].
+bool is_whole_number(std::string_view text) {
+  if (text.starts_with('-') || text.starts_with('+')) text.remove_prefix(1);
+  return !text.empty() && text.find_first_not_of("0123456789") == std::string_view::npos;
 }
 
 /// "a length > 0 such as "20 mm""
@@ -188,6 +195,8 @@ std::optional<Input> Input::find(std::string_view key) const {
 
 Input Input::at(std::string_view key, std::string_view example) const {
   if (auto found = find(key)) return *std::move(found);
+  // A key that is not known is often the missing one. Further keys of a link belong to its law.
+  if (section_ && section_ != &keys::link) only_keys();
   if (example.empty() && section_) example = section_->find(key)->example;
   fail(fmt::format("key \"{}\" is missing{}", key,
                    example.empty() ? "" : fmt::format("; type \"{}: {}\"", key, example)));
@@ -232,8 +241,21 @@ std::vector<Input> Input::items() const {
     made.spec_ = spec_;
     made.section_ = section_;
     made.part_ = Part::item;
+    made.comma_ = number_with_comma();
   }
   return members;
+}
+
+std::string Input::number_with_comma() const {
+  const bool takes_quantities = spec_ && spec_->takes == keys::Takes::quantity && part_ != Part::item;
+  if (!is_list() || !takes_quantities || node_.size() % 2 != 0 || node_.size() == 0) return {};
+  // Two items are rarely one number if the key takes lists of two.
+  if (node_.size() == 2 && spec_->minimum == 2) return {};
+  for (std::size_t i = 0; i < node_.size(); i += 2)
+    if (!node_[i].IsScalar() || !node_[i + 1].IsScalar() || !is_whole_number(node_[i].Scalar()) ||
+        !is_after_comma(node_[i + 1].Scalar()))
+      return {};
+  return node_[0].Scalar() + "," + node_[1].Scalar();
 }
 
 std::string Input::as_text() const {
@@ -340,7 +362,14 @@ std::optional<double> Input::find_quantity(std::string_view key) const {
   return found ? std::optional(found->as_quantity()) : std::nullopt;
 }
 
-void Input::fail(std::string_view message) const { fail_at(location_, message); }
+void Input::fail(std::string_view message) const {
+  const std::string comma = comma_.empty() ? number_with_comma() : comma_;
+  if (comma.empty()) fail_at(location_, message);
+  std::string point = comma;
+  point.replace(point.find(','), 1, ".");
+  fail_at(location_, fmt::format("{}; a comma separates the items of a list: for the number {} type {}", message,
+                                 excerpt(comma), excerpt(point)));
+}
 
 void Input::fail_at_key(std::string_view message) const { fail_at(key_location_, message); }
 

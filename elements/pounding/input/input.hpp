@@ -81,8 +81,8 @@ class Input {
   /// The child with this key; `nullopt` if there is none.
   std::optional<Input> find(std::string_view key) const;
   bool has(std::string_view key) const { return find(key).has_value(); }
-  /// The child with this key. Throws if there is none; the message contains `example`, by default the example of the
-  /// key: type "gap: 20 mm".
+  /// The child with this key. Throws if there is none: at a key that is not in the section, if there is one; else the
+  /// message contains `example`, by default the example of the key: type "gap: 20 mm".
   Input at(std::string_view key, std::string_view example = {}) const;
   /// Throws at the first key that is not in the section, with the nearest allowed key.
   void only_keys() const;
@@ -150,6 +150,8 @@ class Input {
   Input child(std::string_view key, const YAML::Node& key_node, const YAML::Node& value) const;
   const keys::Key& spec() const;
   void expect_map() const;
+  /// First number with a decimal comma, "0,5 m", if this list of quantities looks like [0,5 m, 1,0 m]; empty otherwise.
+  std::string number_with_comma() const;
   [[noreturn]] void fail_at(const Location& location, std::string_view message) const;
 
   std::shared_ptr<const Source> source_;
@@ -159,6 +161,7 @@ class Input {
   const keys::Key* spec_ = nullptr;
   const keys::Section* section_ = nullptr;
   Part part_ = Part::value;
+  std::string comma_{};  ///< number_with_comma() of the list of this item
 };
 
 }  // namespace pounding

@@ -89,6 +89,13 @@ LawInput read_law(const Input& node) {
   return read;
 }
 
+void refuse_unknown_keys(const Input& link) {
+  const auto law = link.find("law");
+  if (!law || !law->is_scalar()) return;
+  for (const laws::Entry& entry : laws::Laws::entries)
+    if (entry.name == law->as_text()) link.in(keys::link_with(entry)).only_keys();
+}
+
 Input location_of_law(const std::string& refusal, const Input& node) {
   const Input law = node.at("law");
   const laws::Entry& entry = laws::find_law(law.as_text());

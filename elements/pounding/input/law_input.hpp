@@ -16,6 +16,10 @@ struct LawInput {
   std::optional<StiffnessEstimate> stiffness;  ///< set if the settings have no stiffness
 };
 
+/// Throws InputError at the first key of a link that neither links in general nor its law allow; does nothing for an
+/// unknown law.
+void refuse_unknown_keys(const Input& link);
+
 /// Reads the law of a link with its parameters. Rejects keys that neither the law nor links in general allow. Throws
 /// InputError with the location.
 LawInput read_law(const Input& node);

@@ -155,6 +155,7 @@ std::pair<ContactLocation, ContactLocation> read_ends(const Input& between, cons
 }
 
 void read_link(const Input& node, Model& model) {
+  refuse_unknown_keys(node);
   const Input between = node.at("between");
   if (between.is_scalar()) {
     require_neighbours(between);
