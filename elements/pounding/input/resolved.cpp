@@ -10,6 +10,7 @@
 #include <yaml-cpp/yaml.h>
 
 #include <pounding/hysteresis/all.hpp>
+#include <pounding/model/modes.hpp>
 #include <pounding/model/reducible.hpp>
 #include <pounding/reports/describe.hpp>
 #include <pounding/structures/isolators.hpp>
@@ -189,6 +190,7 @@ void emit_structure(YAML::Emitter& out, const Structure& s) {
     emit_devices(out, s);
     emit_uplifts(out, s.yielding);
     field(out, "damping") << s.damping_note;
+    if (const std::vector<double> ratios = damping_ratios(s); !ratios.empty()) emit_list(out, "damping_ratios", ratios);
     if (s.dimension > 1) {
       emit(out, "damping_by_mass", s.by_mass);
       emit(out, "damping_by_stiffness", s.by_stiffness);

@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include <pounding/input/damping_input.hpp>
 #include <pounding/input/device_input.hpp>
 #include <pounding/input/face_input.hpp>
 #include <pounding/input/fail_at.hpp>
@@ -142,39 +143,6 @@ std::optional<Input> beside_or_inside(const Input& location, const Input& body, 
   return inside ? inside : beside;
 }
 
-RayleighDamping read_rayleigh(const Input& node, const Structure& s) {
-  node.only_keys();
-  RayleighDamping damping{.ratio = node.quantity("ratio")};
-  const std::optional<Input> modes = node.find("modes"), periods = node.find("periods");
-  if (modes && periods) periods->fail_at_key("give modes or periods, not both");
-  if (periods) {
-    const std::vector<double> t = periods->as_quantities(2);
-    damping.periods = {t[0], t[1]};
-  }
-  if (modes) {
-    if (!modes->is_list() || modes->items().size() != 2) modes->fail("takes two mode numbers; type modes: [1, 2]");
-    const std::vector<Input> items = modes->items();
-    const int count = count_of_modes(s);
-    damping.modes = {static_cast<int>(items[0].as_integer(1, count)), static_cast<int>(items[1].as_integer(1, count))};
-  }
-  return damping;
-}
-
-Damping read_damping(const Input& node, const Structure& s) {
-  if (!node.is_map()) return node.as_quantity();
-  node.only_keys();
-  const std::optional<Input> rayleigh = node.find("rayleigh"), modal = node.find("modal");
-  if (rayleigh.has_value() == modal.has_value())
-    node.fail("takes one of rayleigh and modal; type damping: {rayleigh: {ratio: 5 %, modes: [1, 2]}}");
-  if (rayleigh && is_isolated(s))
-    rayleigh->fail_at_key(
-        "would damp the motion of the isolators; type damping: 2 %, which is proportional to the stiffness above them, "
-        "or damping: {modal: {ratio: 2 %}}");
-  if (rayleigh) return read_rayleigh(*rayleigh, s);
-  modal->only_keys();
-  return ModalDamping{modal->quantity("ratio")};
-}
-
 // One value per floor, but one value for a frame. The model rejects values for walls and frames without floors.
 OneOrEach read_velocity(const Input& node, const Structure& s) {
   if (s.dimension > 1) return node.as_quantity();
@@ -264,6 +232,7 @@ class StructureInput {
         // These errors are detected by the model: too many modes for modal damping, and errors of the eigenvalue
         // solver.
         if (damping_->is_map() && damping_->has("modal")) damping_->at("modal").fail_at_key(error.what());
+        if (damping_) at = &*damping_;
         break;
       case ModelOption::forces:
         location_.at("forces").items()[static_cast<std::size_t>(error.item())].fail(error.what());

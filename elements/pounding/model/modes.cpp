@@ -11,6 +11,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+// Structures with more unknowns are not solved for the ratios alone.
+constexpr int max_for_ratios = 200;
+
 constexpr std::string_view axes[] = {"x", "y", "z"};
 
 bool along_x_only(const Structure& s) { return s.dimension == 1; }
@@ -70,6 +73,20 @@ std::vector<Mode> modes(const Structure& s, int count, const ModeSolver& solver)
     found.push_back(std::move(mode));
   }
   return found;
+}
+
+std::vector<double> damping_ratios(const Structure& s) {
+  std::vector<double> ratios;
+  if (s.is_rigid() || s.is_free) return ratios;
+  if (s.damping.norm() == 0) {
+    for (const double w : s.frequencies) ratios.push_back(s.by_mass / (2 * w) + s.by_stiffness * w / 2 + s.modal_ratio);
+    return ratios;
+  }
+  if (s.size() > max_for_ratios) return ratios;
+  const int count = static_cast<int>(s.frequencies.size()) + s.rigid_motions;
+  for (const Mode& mode : modes(s, count)) ratios.push_back(mode.damping_ratio);
+  ratios.erase(ratios.begin(), ratios.begin() + s.rigid_motions);
+  return ratios;
 }
 
 namespace {

@@ -27,6 +27,10 @@ struct Mode {
 std::vector<Mode> modes(const Structure& structure, int count = std::numeric_limits<int>::max(),
                         const ModeSolver& solver = dense_modes);
 
+/// Damping ratios of the modes at `frequencies` of a structure. Those of damping that is not a combination of M and K,
+/// and not modal, follow from mode shapes; empty if these are not available at low cost, above 200 unknowns.
+std::vector<double> damping_ratios(const Structure& structure);
+
 /// Text with one table per structure: periods, damping ratios, participation, effective masses, shapes. Frames show at
 /// most `max_count` modes, other structures all.
 std::string modes_table(const Model& model, int max_count, const ModeSolver& solver = dense_modes);

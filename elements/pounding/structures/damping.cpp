@@ -122,13 +122,17 @@ Eigen::MatrixXd modal_damping(const Eigen::MatrixXd& mass, const Eigenmodes& mod
   return shapes * (2 * ratio * modes.frequencies).asDiagonal() * shapes.transpose();
 }
 
-SparseMatrix modal_damping_matrix(const SparseMatrix& mass, const SparseMatrix& stiffness, double ratio) {
-  const int count = static_cast<int>(split_by_mass(mass).dynamic.size());
-  if (count > max_for_modal_damping)
+void require_modal_matrix(int modes) {
+  if (modes > max_for_modal_damping)
     throw std::invalid_argument(
         fmt::format("modal damping would fill a dense {0} x {0} matrix; type damping: {{rayleigh: {{ratio: 5 "
                     "%, modes: [1, 2]}}}}",
-                    count));
+                    modes));
+}
+
+SparseMatrix modal_damping_matrix(const SparseMatrix& mass, const SparseMatrix& stiffness, double ratio) {
+  const int count = static_cast<int>(split_by_mass(mass).dynamic.size());
+  require_modal_matrix(count);
   return SparseMatrix(modal_damping(Eigen::MatrixXd(mass), dense_modes(mass, stiffness, count), ratio).sparseView());
 }
 

@@ -64,9 +64,11 @@ Eigen::MatrixXd modal_damping(const Eigen::MatrixXd& mass, const Eigenmodes& mod
 /// Maximum number of modes for which the dense matrix of modal damping is formed.
 inline constexpr int max_for_modal_damping = 1500;
 
+/// Throws std::invalid_argument for more than max_for_modal_damping modes, with the alternative to type.
+void require_modal_matrix(int modes);
+
 /// Modal damping matrix with the same ratio in every mode of sparse M and K. Empty rows of M are massless degrees of
-/// freedom, which are not damped. Throws std::invalid_argument for more than max_for_modal_damping modes, with the
-/// alternative to type, and like dense_modes.
+/// freedom, which are not damped. Throws std::invalid_argument like require_modal_matrix and dense_modes.
 SparseMatrix modal_damping_matrix(const SparseMatrix& mass, const SparseMatrix& stiffness, double ratio);
 
 }  // namespace pounding

@@ -3,7 +3,9 @@
 
 #include <array>
 #include <optional>
+#include <utility>
 #include <variant>
+#include <vector>
 
 #include <pounding/structures/damping.hpp>
 #include <pounding/structures/structure.hpp>
@@ -20,22 +22,51 @@ struct RayleighDamping {
   std::optional<std::array<double, 2>> periods{};  ///< [s]
 };
 
-/// A single damping ratio for all modes.
+/// Rayleigh damping by its two factors, each >= 0: C = alpha M + beta K.
+struct RayleighFactors {
+  double alpha = 0;  ///< [1/s]
+  double beta = 0;   ///< [s]
+};
+
+/// Damping proportional to the mass or to the stiffness alone, with the ratio in one mode or at one period.
+struct ProportionalDamping {
+  enum class To { mass, stiffness };
+  To to = To::stiffness;
+  double ratio = 0;                ///< in [0, 1)
+  std::optional<int> mode{};       ///< numbered from 1; default: 1, unless there is a period
+  std::optional<double> period{};  ///< [s]
+};
+
+/// A single damping ratio for all modes, or `ratios` for the lowest modes and `ratio` for all others.
 struct ModalDamping {
-  double ratio = 0;  ///< in [0, 1)
+  double ratio = 0;              ///< in [0, 1)
+  std::vector<double> ratios{};  ///< in [0, 1), from mode 1
+};
+
+/// Stiffness of an isolated structure that defines its damping.
+enum class DampedStiffness {
+  initial,        ///< of the whole structure, with the initial stiffness of the isolators
+  superstructure  ///< without that of the isolators, which are then not damped
 };
 
 /// Damping of a structure. A plain ratio is the fraction of critical damping of an oscillator, and for structures with
 /// several modes Rayleigh damping in modes 1 and 2.
 class Damping {
  public:
+  using Model = std::variant<double, RayleighDamping, RayleighFactors, ProportionalDamping, ModalDamping>;
+
   Damping(double ratio) : how_(ratio) {}
-  Damping(RayleighDamping rayleigh) : how_(rayleigh) {}
-  Damping(ModalDamping modal) : how_(modal) {}
-  const std::variant<double, RayleighDamping, ModalDamping>& how() const noexcept { return how_; }  ///< as given
+  Damping(RayleighDamping rayleigh, std::optional<DampedStiffness> of = {}) : how_(rayleigh), of_(of) {}
+  Damping(RayleighFactors factors, std::optional<DampedStiffness> of = {}) : how_(factors), of_(of) {}
+  Damping(ProportionalDamping one, std::optional<DampedStiffness> of = {}) : how_(one), of_(of) {}
+  Damping(ModalDamping modal, std::optional<DampedStiffness> of = {}) : how_(std::move(modal)), of_(of) {}
+
+  const Model& how() const noexcept { return how_; }                         ///< as given
+  const std::optional<DampedStiffness>& of() const noexcept { return of_; }  ///< default: superstructure, if isolated
 
  private:
-  std::variant<double, RayleighDamping, ModalDamping> how_;
+  Model how_;
+  std::optional<DampedStiffness> of_{};
 };
 
 /// Number of modes of a structure: its unknowns with mass.
@@ -45,10 +76,11 @@ int count_of_modes(const Structure& structure);
 /// std::invalid_argument like `modes`.
 void set_frequencies(Structure& structure, const ModeSolver& modes = dense_modes);
 
-/// Adds damping to a structure with known frequencies, and describes it in damping_note. Modal damping stores only the
-/// ratio, except on isolators, which are not damped: there it forms the matrix. Throws std::invalid_argument for a
-/// ratio outside [0, 1), nonexistent modes, periods that are not positive, modes given together with periods, and modal
-/// damping of too many modes on isolators.
+/// Adds damping to a structure with known frequencies, and describes it in damping_note. Modal damping stores a single
+/// ratio; it forms a matrix for ratios by mode, and for the structure above isolators. Throws std::invalid_argument for
+/// a ratio outside [0, 1), negative factors, nonexistent modes, periods that are not positive, modes given together
+/// with periods, damping that is proportional to the mass above isolators or of a structure without supports, and too
+/// many modes for a matrix.
 void set_damping(Structure& structure, const Damping& damping, const ModeSolver& modes = dense_modes);
 
 }  // namespace pounding

@@ -134,24 +134,7 @@ def rayleigh_words(factors: Sequence[float]) -> dict[str, Any] | None:
         raise InputError(f"rayleigh is {tuple(factors)}, but takes factors that are not negative")
     if by_mass == by_stiffness == 0:
         return None
-    # a0 = 2 z w1 w2/(w1 + w2) and a1 = 2 z/(w1 + w2) with any w1 < w2; if one factor is zero, the other frequency is
-    # far enough away to be lost in round-off.
-    if by_stiffness == 0:
-        low, high = max(1.0, 10 * by_mass), 1e15
-        ratio = by_mass / (2 * low)
-    elif by_mass == 0:
-        low, high = 1e-15, min(1.0, 0.1 / by_stiffness)
-        ratio = by_stiffness * high / 2
-    else:
-        middle = math.sqrt(by_mass / by_stiffness)
-        low, high = middle / 2, middle * 2
-        ratio = 1.25 * math.sqrt(by_mass * by_stiffness)
-    if ratio >= 1:
-        raise InputError(
-            f"rayleigh is {tuple(factors)}, which is overdamped at every frequency; its factors must give less "
-            "than 80 % somewhere"
-        )
-    return {"rayleigh": {"ratio": ratio, "periods": [2 * math.pi / low, 2 * math.pi / high]}}
+    return {"rayleigh": {"alpha": by_mass, "beta": by_stiffness}}
 
 
 def _link_words(link: Link, home: Mapping[int, str]) -> dict[str, Any]:

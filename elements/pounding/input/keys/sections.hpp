@@ -18,7 +18,8 @@ extern const Section ground_motion, components, motion, wave, harmonic, sum_part
 extern const Section displacement, moved_harmonic, moved_part;
 
 /// Structures and damping: structures.cpp.
-extern const Section structure, body, oscillator, shear_building, wall, damping, rayleigh, modal;
+extern const Section structure, body, oscillator, shear_building, wall, damping, rayleigh, mass_proportional,
+    stiffness_proportional, modal;
 
 /// Time-dependent forces: forces.cpp.
 extern const Section force, force_harmonic, force_sum_part, force_pulse, step_force;

@@ -101,24 +101,74 @@ constexpr Key shear_building_keys[] = {
     displacement_key,
 };
 
+constexpr std::string_view damped_stiffnesses[] = {"initial", "superstructure"};
+
 constexpr Key damping_keys[] = {
     {"rayleigh", map(rayleigh), exactly_one,
-     "Rayleigh damping a M + b K with the damping ratio in two modes or at two periods.",
+     "Rayleigh damping alpha M + beta K, by the damping ratio in two modes or at two periods, or by its factors.",
      "{ratio: 5 %, modes: [1, 2]}"},
-    {"modal", map(modal), exactly_one, "Modal damping: one damping ratio for all modes.", "{ratio: 5 %}"},
+    {"mass_proportional", map(mass_proportional), exactly_one,
+     "Damping alpha M alone, by the damping ratio in one mode or at one period, or by its factor. The ratio of a mode "
+     "is proportional to its period.",
+     "{ratio: 5 %, mode: 1}", "0.3.0"},
+    {"stiffness_proportional", map(stiffness_proportional), exactly_one,
+     "Damping beta K alone, by the damping ratio in one mode or at one period, or by its factor. The ratio of a mode "
+     "is proportional to its frequency.",
+     "{ratio: 5 %, mode: 1}", "0.3.0"},
+    {"modal", map(modal), exactly_one, "Modal damping: one damping ratio for all modes, or ratios by mode.",
+     "{ratio: 5 %}"},
+    {"of", choice(damped_stiffnesses, "stiffness"), otherwise("superstructure on isolators, initial without isolators"),
+     "Stiffness K of a structure on isolators that defines its damping. superstructure: without that of the isolators, "
+     "which are not damped; modes are those on a fixed base. initial: of the whole structure with the initial "
+     "stiffness "
+     "of the isolators, whose motion is then damped as well.",
+     "initial", "0.3.0"},
 };
 
-constexpr Key ratio_key("ratio", number(bounds::from_0_below_1), required, "Damping ratio.", "5 %");
+constexpr Value factor_by_mass = quantity(dimension::frequency, bounds::non_negative);
+constexpr Value factor_by_stiffness = quantity(dimension::time, bounds::non_negative);
+
+constexpr Key ratio_or(Need need, std::string_view description) {
+  return {"ratio", number(bounds::from_0_below_1), need, description, "5 %"};
+}
+
+constexpr Key one_mode_key("mode", integer({.low = 1}), otherwise("1"),
+                           "The mode with the damping ratio; 1 is the lowest. Give mode or period, not both.", "1",
+                           "0.3.0");
+constexpr Key one_period_key("period", quantity(dimension::time, bounds::positive), otherwise("period of the mode"),
+                             "The period with the damping ratio. Give mode or period, not both.", "0.8 s", "0.3.0");
 
 constexpr Key rayleigh_keys[] = {
-    ratio_key,
+    ratio_or(at_least_one, "Damping ratio in two modes. Give ratio, or alpha and beta."),
+    {"alpha", factor_by_mass, {at_least_one, "0"}, "Factor of the mass matrix.", "0.3 1/s", "0.3.0"},
+    {"beta", factor_by_stiffness, {at_least_one, "0"}, "Factor of the stiffness matrix.", "0.002 s", "0.3.0"},
     {"modes", integer({.low = 1}).list(2), otherwise("[1, 2]"),
      "The two modes with the damping ratio; 1 is the lowest. Give modes or periods, not both.", "[1, 2]"},
     {"periods", quantity(dimension::time, bounds::positive).list(2), otherwise("periods of the modes"),
      "The two periods with the damping ratio. Give modes or periods, not both.", "[0.8 s, 0.25 s]"},
 };
 
-constexpr Key modal_keys[] = {ratio_key};
+constexpr Key mass_proportional_keys[] = {
+    ratio_or(exactly_one, "Damping ratio in one mode."),
+    one_mode_key,
+    one_period_key,
+    {"alpha", factor_by_mass, exactly_one, "Factor of the mass matrix.", "0.6 1/s", "0.3.0"},
+};
+
+constexpr Key stiffness_proportional_keys[] = {
+    ratio_or(exactly_one, "Damping ratio in one mode."),
+    one_mode_key,
+    one_period_key,
+    {"beta", factor_by_stiffness, exactly_one, "Factor of the stiffness matrix.", "0.004 s", "0.3.0"},
+};
+
+constexpr Key modal_keys[] = {
+    ratio_or(exactly_one, "Damping ratio of all modes."),
+    {"ratios", number(bounds::from_0_below_1).nonempty_list(), exactly_one, "Damping ratios of the lowest modes.",
+     "[5 %, 5 %]", "0.3.0"},
+    {"others", number(bounds::from_0_below_1), otherwise("none; required if modes remain beyond the list"),
+     "Damping ratio of all modes beyond the list ratios.", "2 %", "0.3.0"},
+};
 
 }  // namespace
 
@@ -136,9 +186,14 @@ constinit const Section wall{"wall",
                              {}};
 constinit const Section damping{"damping", "structures.NAME.damping",
                                 "Damping model, if a single damping ratio is not sufficient.", damping_keys};
-constinit const Section rayleigh{"rayleigh", "structures.NAME.damping.rayleigh", "Rayleigh damping a M + b K.",
+constinit const Section rayleigh{"rayleigh", "structures.NAME.damping.rayleigh", "Rayleigh damping alpha M + beta K.",
                                  rayleigh_keys};
+constinit const Section mass_proportional{"mass_proportional", "structures.NAME.damping.mass_proportional",
+                                          "Damping proportional to the mass alone: alpha M.", mass_proportional_keys};
+constinit const Section stiffness_proportional{
+    "stiffness_proportional", "structures.NAME.damping.stiffness_proportional",
+    "Damping proportional to the stiffness alone: beta K.", stiffness_proportional_keys};
 constinit const Section modal{"modal", "structures.NAME.damping.modal",
-                              "Modal damping: one damping ratio for all modes.", modal_keys};
+                              "Modal damping: one damping ratio for all modes, or ratios by mode.", modal_keys};
 
 }  // namespace pounding::keys
