@@ -104,5 +104,73 @@ TEST(GridInput, MembersMayBeSubdivided) {
   EXPECT_NEAR(depth(m, "post/1"), 0.5, 1e-12);
 }
 
+// A portal of one bay with a load on its beam.
+std::string portal(const std::string& load, const std::string& rest = "") {
+  return "material: {E: 30 GPa}\ngrid: {storeys: 1, bays: 1, storey_height: 4 m, bay_width: 6 m, columns: {area: 0.1 "
+         "m^2, inertia_y: 2e-3 m^4}, beams: {area: 0.1 m^2, inertia_y: 4e-3 m^4}, " +
+         load + "}\n" + rest;
+}
+
+TEST(GridInput, LoadsBendBeamsAsBetweenFixedEnds) {
+  const FrameModel m = read(portal("beams_load: -25 kN/m, floor_mass: 1 t", "gravity: false\n"));
+  const Vector12 ends = m.frame.fixed_end_forces(1);
+  EXPECT_NEAR(std::abs(ends[4]), 25e3 * 36 / 12, 1e-6);
+  EXPECT_NEAR(std::abs(ends[10]), 25e3 * 36 / 12, 1e-6);
+}
+
+// Kleinlogel: with k = (I beam/I column) (h/L), the moment at the top of fixed columns is w L^2/(6 (k + 2)).
+TEST(GridInput, MomentsAtRestAreThoseOfThePortal) {
+  const FrameModel m = read(portal("beams_load: -25 kN/m, floor_mass: 1 t", "gravity: false\n"));
+  const AssembledFrame assembled = m.frame.assemble(m.has_gravity());
+  const Vector12 ends = m.frame.end_forces(1, assembled, m.frame.rest(assembled)) + m.frame.fixed_end_forces(1);
+  ASSERT_EQ(m.frame.member_name(1), "beam x 1.0");
+  const double k = 2.0 * 4 / 6;
+  EXPECT_NEAR(std::abs(ends[4]), 25e3 * 36 / (6 * (k + 2)), 0.01 * 45e3) << "axial deformation of the columns only";
+  EXPECT_NEAR(std::abs(ends[2]), 75e3, 1e-6 * 75e3);
+}
+
+TEST(GridInput, LoadCasesAreCombined) {
+  const std::string cases = "dead_load: -20 kN/m, live_load: -10 kN/m, combination: {live: 0.3}, floor_mass: 1 t";
+  EXPECT_NEAR(read(portal(cases)).frame.fixed_end_forces(1)[2], 23e3 * 3, 1e-6);
+  const FrameModel by_storey = read(frame("C50", "B60, beams_load: {1-2: -25 kN/m, 3: [-15 kN/m, -10 kN/m]}"));
+  const auto load_of = [&](const std::string& name) {
+    for (int member = 0; member < by_storey.frame.members(); ++member)
+      if (by_storey.frame.member_name(member) == name) return by_storey.frame.fixed_end_forces(member)[2] / 3;
+    return 0.0;
+  };
+  EXPECT_NEAR(load_of("beam x 2.1"), 25e3, 1e-6);
+  EXPECT_NEAR(load_of("beam x 3.0"), 15e3, 1e-6);
+  EXPECT_NEAR(load_of("beam x 3.1"), 10e3, 1e-6);
+  refused(portal("live_load: -10 kN/m"), "2:", mentions({"combination: {dead: 1, live: 0.3}"}));
+  refused(portal("beams_load: -10 kN/m, dead_load: -5 kN/m"), "2:", mentions({"beams_load", "dead_load"}));
+  refused(portal("mass_from_loads: true"), "2:", mentions({"beams_load: -25 kN/m"}));
+  refused(portal("beams_load: 10 kN/m, mass_from_loads: true"), "2:", mentions({"10 kN/m"}));
+  refused(portal("beams_load: -10 kN"), "2:", mentions({"10 kN"}));
+}
+
+// The mass of a load weighs what the load weighs, and once.
+TEST(GridInput, MassFromLoadsDoesNotWeighTwice) {
+  constexpr double g = 9.80665;
+  for (const std::string gravity : {"", "gravity: true\n", "gravity: false\n"}) {
+    const FrameModel m = read(portal("beams_load: -25 kN/m, mass_from_loads: true", gravity));
+    const AssembledFrame assembled = m.frame.assemble(m.has_gravity());
+    EXPECT_NEAR(assembled.load.col(0).sum(), 25e3 * 6 / g, 1e-6) << gravity;
+    const Vector12 column = m.frame.end_forces(0, assembled, m.frame.rest(assembled));
+    EXPECT_NEAR(std::abs(column[0]), 75e3, 1e-6 * 75e3) << gravity;
+  }
+}
+
+TEST(GridInput, TakesStandardSections) {
+  const FrameModel m = read(
+      "material: S355\ngrid: {storeys: 2, bays: 1, storey_height: 3 m, bay_width: 6 m, columns: [HEB400, {profile: "
+      "heb 400, axis: weak}], beams: IPE300, floor_mass: 20 t}\n");
+  EXPECT_NEAR(m.frame.beam(0).section().inertia_y, 57680e-8, 10e-8);
+  EXPECT_NEAR(m.frame.beam(3).section().inertia_y, 10820e-8, 5e-8);
+  EXPECT_EQ(m.frame.beam(1).section().depth, 0.3);
+  EXPECT_EQ(m.frame.beam(1).material().strength, 355e6);
+  refused(frame("HEB410", "B60"), "3:", mentions({"HEB410", "HEB400", "HEB450"}));
+  refused(frame("{profile: IPE301}", "B60"), "3:", mentions({"IPE301", "IPE300"}));
+}
+
 }  // namespace grid_input_test
 }  // namespace pounding

@@ -252,5 +252,33 @@ TEST(HingeInput, AreInTheResolvedModel) {
   EXPECT_TRUE(test::mentions(describe(model), {"250 kN m", "2"}));
 }
 
+const std::string steel =
+    "material: S355\ngrid: {storeys: 1, bays: 1, storey_height: 3 m, bay_width: 6 m, columns: {profile: HEB400, axis: "
+    "weak},\n       beams: IPE300, beams_load: -25 kN/m, floor_mass: 20 t}\ngravity: false\n";
+
+TEST(HingeInput, YieldMomentsFollowFromTheSectionAndTheStrength) {
+  for (const std::string strength : {"355 MPa", "material"}) {
+    const Structure s = structure(steel + "hinges: {beams: {at: both, strength: " + strength +
+                                  "}, columns: {at: feet, strength: 235 MPa}}");
+    ASSERT_EQ(s.yielding.size(), 4u);
+    for (const YieldingPart& part : s.yielding) {
+      const bool is_beam = part.name.starts_with("beam");
+      const double expected = is_beam ? 628.4e-6 * 355e6 : 1104e-6 * 235e6;
+      EXPECT_NEAR(part.parameter("yield_moment"), expected, 1e-3 * expected) << part.name;
+    }
+  }
+  refused("{beams: {at: both, strength: 355 MPa, yield_moment: 1 MN m}}", "4:", mentions({"yield_moment", "strength"}));
+  refused("{beams: {at: both, strength: material}}", "4:", mentions({"S355", "strength: 355 MPa"}));
+}
+
+// The hinges of a loaded beam start from its moment at rest.
+TEST(HingeInput, HingesStartFromTheMomentAtRest) {
+  const Structure s = structure(steel + "hinges: {beams: {at: both, strength: material}}");
+  const double k = 8356e-8 / 10820e-8 * 3 / 6, moment = 25e3 * 36 / (6 * (k + 2));
+  for (const YieldingPart& part : s.yielding)
+    EXPECT_NEAR(std::abs(part.spring->stiffness() * part.at_rest), moment, 0.02 * moment)
+        << "Kleinlogel's portal, without axial and shear deformation";
+}
+
 }  // namespace hinge_input_test
 }  // namespace pounding

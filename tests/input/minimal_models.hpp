@@ -133,6 +133,11 @@ inline std::string around(const Section& s) {
                              "structures: {tower: {frame: {material: {E: 30 GPa}, damping: 5 %, grid: {storeys: 1, "
                              "bays: [1, 1], storey_height: 3 m, columns: " +
                              rectangle + ", beams: " + rectangle + ", floor_mass: 20 t, bay_width: @}}}}"},
+      {&keys::combination, shaken +
+                               "structures: {tower: {frame: {material: {E: 30 GPa}, damping: 5 %, grid: {storeys: 1, "
+                               "bays: 1, storey_height: 3 m, bay_width: 6 m, columns: " +
+                               rectangle + ", beams: " + rectangle +
+                               ", floor_mass: 20 t, dead_load: -20 kN/m, live_load: -10 kN/m, combination: @}}}}"},
       {&keys::member, in_frame({{"members", "{c1: @, " + others + "}"}})},
       {&keys::releases,
        in_frame({{"members", "{c1: {between: [a, b], section: " + rectangle + ", releases: @}, " + others + "}"}})},
@@ -191,6 +196,7 @@ inline const std::map<const Section*, Keys> beside = {
     {&keys::mass_proportional, {{"ratio", "5 %"}}},
     {&keys::stiffness_proportional, {{"ratio", "5 %"}}},
     {&keys::modal, {{"ratio", "5 %"}}},
+    {&keys::combination, {{"live", "0.3"}}},
     {&keys::grid, {{"floor_mass", "20 t"}}},
     {&keys::oscillator, {{"damping", "5 %"}}},
     {&keys::shear_building, {{"damping", "5 %"}}},
@@ -247,6 +253,13 @@ inline const std::map<std::string, Keys> beside_key = {
     {"stiffness_proportional.beta", {{"ratio", ""}}},
     {"modal.ratios", {{"ratio", ""}, {"others", "2 %"}}},
     {"modal.others", {{"ratio", ""}, {"ratios", "[5 %, 5 %]"}}},
+    {"hinges.strength", {{"yield_moment", ""}}},
+    {"sections.profile", {{"rectangle", ""}}},
+    {"sections.plastic_modulus_y", {{"rectangle", ""}, {"area", "0.16 m^2"}, {"inertia_y", "2.1e-3 m^4"}}},
+    {"sections.plastic_modulus_z", {{"rectangle", ""}, {"area", "0.16 m^2"}, {"inertia_y", "2.1e-3 m^4"}}},
+    {"grid.combination", {{"dead_load", "-20 kN/m"}, {"live_load", "-10 kN/m"}}},
+    {"grid.live_load", {{"combination", "{dead: 1, live: 0.3}"}}},
+    {"grid.mass_from_loads", {{"beams_load", "-25 kN/m"}}},
     {"bar.E", {{"area", "20 cm^2"}}},
     {"bar.area", {{"E", "210 GPa"}, {"stiffness", ""}}},
     {"damper.exponent", {{"coefficient", "2e5"}}},

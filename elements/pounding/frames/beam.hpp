@@ -34,15 +34,17 @@ struct Section {
   double width = 0,
          depth = 0;  ///< outer dimensions along local y and z [m]; 0 if the section is defined by its properties
   bool is_round = false;
+  double plastic_y = 0, plastic_z = 0;  ///< plastic moduli for bending about local y and z [m^3]; 0 if unknown
 
   bool has_size() const { return depth > 0; }  ///< true if its outer dimensions are known
 };
 
 /// Linear elastic material.
 struct Material {
-  double young = 0;    ///< [Pa]
-  double shear = 0;    ///< shear modulus [Pa]; unused in a plane frame without shear deformation
-  double density = 0;  ///< [kg/m^3]; 0 if the masses are given at the nodes
+  double young = 0;     ///< [Pa]
+  double shear = 0;     ///< shear modulus [Pa]; unused in a plane frame without shear deformation
+  double density = 0;   ///< [kg/m^3]; 0 if the masses are given at the nodes
+  double strength = 0;  ///< yield strength, of steel [Pa]; 0 if unknown
 };
 
 /// lumped: half the mass on the translations of each node, without rotational inertia; offsets and releases have no

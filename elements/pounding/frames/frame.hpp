@@ -323,6 +323,10 @@ struct GridFrame {
   BeamMass mass = BeamMass::lumped;  ///< of the members, if the material has a density
   /// [kg] per floor, distributed to the nodes in proportion to their tributary widths; acts in all translations.
   std::vector<double> floor_mass{};
+  /// Vertical load on the beams, positive upwards [N/m]: [storey or 1][line or 1] like their sections; empty for none.
+  std::vector<std::vector<double>> beam_load{};
+  /// True if the beam load is the weight of a mass, which is added at the two nodes of each beam, in all translations.
+  bool mass_from_loads = false;
   bool rigid_floors = false;
   Eigen::Vector3d origin = Eigen::Vector3d::Zero();  ///< base of the first column
   std::map<std::string, GridMember> members{};       ///< members that differ, by name

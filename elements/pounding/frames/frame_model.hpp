@@ -90,9 +90,14 @@ void make_floor_rigid(FrameModel& model, int floor, const std::vector<double>& w
 
 /// Data of a grid that add_grid leaves to the caller.
 struct GridParts {
-  std::vector<int> feet;        ///< nodes on the ground, to be supported
-  std::vector<double> weights;  ///< of the nodes of every floor: their fractions of its mass
+  std::vector<int> feet;              ///< nodes on the ground, to be supported
+  std::vector<double> weights;        ///< of the nodes of every floor: their fractions of its mass
+  std::vector<double> loaded_mass{};  ///< per node: mass whose weight the beam load contains [kg]; empty if none
 };
+
+/// Prevents that the weight of masses from loads acts twice: adds the opposite forces, if the weights of masses act.
+/// Call it once the gravity of the model is known.
+void balance_loaded_mass(FrameModel& model, const GridParts& parts);
 
 /// Adds nodes, members, masses and floors of a grid to a model, without supports and without rigid floors. A caller
 /// that adds more nodes sets the origin to 0 and moves the whole model at the end, so that its matrices are free of the

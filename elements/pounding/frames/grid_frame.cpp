@@ -10,6 +10,7 @@
 #include <pounding/core/limits.hpp>
 #include <pounding/core/names.hpp>
 #include <pounding/core/refuse.hpp>
+#include <pounding/core/units.hpp>
 #include <pounding/frames/frame_dofs.hpp>
 
 namespace pounding {
@@ -47,17 +48,40 @@ std::vector<double> shares(const std::vector<double>& widths) {
   return share;
 }
 
-// Adds one grid member, with its individual properties if the grid defines any.
-void add_grid_member(Frame& frame, const std::string& name, int start, int end, const Section& usual,
-                     const GridFrame& grid) {
+// Adds one grid member, with its individual properties if the grid defines any, and `load` along z. Returns its length.
+double add_grid_member(Frame& frame, const std::string& name, int start, int end, const Section& usual, double load,
+                       const GridFrame& grid) {
   const auto found = grid.members.find(name);
   const GridMember own = found == grid.members.end() ? GridMember{} : found->second;
-  add_member_in_parts(frame, name, start, end,
-                      {.section = own.section.value_or(usual),
-                       .material = own.material.value_or(grid.material),
-                       .options = own.options.value_or(BeamOptions{.mass = grid.mass}),
-                       .load = own.load,
-                       .parts = own.parts});
+  double length = 0;
+  for (const int part : add_member_in_parts(frame, name, start, end,
+                                            {.section = own.section.value_or(usual),
+                                             .material = own.material.value_or(grid.material),
+                                             .options = own.options.value_or(BeamOptions{.mass = grid.mass}),
+                                             .load = own.load + load * Vector3d::UnitZ(),
+                                             .parts = own.parts}))
+    length += frame.beam(part).length();
+  return length;
+}
+
+// Load on a beam in a storey (from 1) on a line (from 0).
+double load_at(const std::vector<std::vector<double>>& loads, int storey, int line) {
+  if (loads.empty()) return 0;
+  const std::vector<double>& of_storey = loads[loads.size() == 1 ? 0 : storey - 1];
+  return of_storey[of_storey.size() == 1 ? 0 : line];
+}
+
+void check_loads(const GridFrame& grid, int lines) {
+  if (grid.beam_load.size() > 1 && static_cast<int>(grid.beam_load.size()) != grid.storeys)
+    refuse(fmt::format("beam_load: give one value or {}, from the ground up", grid.storeys));
+  for (const std::vector<double>& of_storey : grid.beam_load) {
+    if (of_storey.size() != 1 && static_cast<int>(of_storey.size()) != lines)
+      refuse(fmt::format("beam_load: give one value per storey or {}, from the first line", lines));
+    for (const double load : of_storey)
+      if (!std::isfinite(load) || (grid.mass_from_loads && load > 0))
+        refuse(fmt::format("beam_load: the load must be finite{}, but {:.4g} kN/m was given",
+                           grid.mass_from_loads ? " and act downwards, with a negative sign" : "", load / 1e3));
+  }
 }
 
 }  // namespace
@@ -197,18 +221,36 @@ GridParts add_grid(FrameModel& model, const GridFrame& grid) {
   const int lines_of_columns = (grid.bays_x + 1) * (grid.bays_y + 1);
   grid.column.check(grid.storeys, lines_of_columns, "columns");
   grid.beam.check(grid.storeys, is_plane ? grid.bays_x : lines_of_columns, "beams");
+  check_loads(grid, is_plane ? grid.bays_x : lines_of_columns);
+  if (grid.mass_from_loads) parts.loaded_mass.assign(frame.nodes(), 0.0);
   for (int storey = 1; storey <= grid.storeys; ++storey)
     each(storey, [&](int node, int i, int k) {
       const int line = k * (grid.bays_x + 1) + i;
-      const auto member = [&](const char* kind, int from, int to, const Section& section) {
-        add_grid_member(frame, kind + grid.place(storey, i, k), from, to, section, grid);
+      const std::string place = grid.place(storey, i, k);
+      const auto add_beam = [&](const char* kind, int to) {
+        const double load = load_at(grid.beam_load, storey, line);
+        const double length = add_grid_member(frame, kind + place, node, to, grid.beam.at(storey, line), load, grid);
+        if (!grid.mass_from_loads) return;
+        const double mass = -load * length / standard_gravity;
+        for (const int end : {node, to}) {
+          frame.add_mass(end, mass / 2);
+          parts.loaded_mass[end] += mass / 2;
+        }
       };
-      member("column ", grid.node(storey - 1, i, k), node, grid.column.at(storey, line));
-      if (i < grid.bays_x) member("beam x ", node, grid.node(storey, i + 1, k), grid.beam.at(storey, line));
-      if (k < grid.bays_y) member("beam y ", node, grid.node(storey, i, k + 1), grid.beam.at(storey, line));
+      add_grid_member(frame, "column " + place, grid.node(storey - 1, i, k), node, grid.column.at(storey, line), 0,
+                      grid);
+      if (i < grid.bays_x) add_beam("beam x ", grid.node(storey, i + 1, k));
+      if (k < grid.bays_y) add_beam("beam y ", grid.node(storey, i, k + 1));
     });
   model.move_by(grid.origin);
   return parts;
+}
+
+void balance_loaded_mass(FrameModel& model, const GridParts& parts) {
+  if (!model.has_gravity()) return;
+  for (std::size_t node = 0; node < parts.loaded_mass.size(); ++node)
+    if (parts.loaded_mass[node] > 0)
+      model.frame.add_load(static_cast<int>(node), Dof::uz, parts.loaded_mass[node] * standard_gravity);
 }
 
 FrameModel make_frame_model(const GridFrame& grid) {
@@ -218,6 +260,7 @@ FrameModel make_frame_model(const GridFrame& grid) {
   const GridParts parts = add_grid(model, at_zero);
   for (const int foot : parts.feet) model.frame.fix(foot);
   for (int floor = 0; grid.rigid_floors && floor < grid.storeys; ++floor) make_floor_rigid(model, floor, parts.weights);
+  balance_loaded_mass(model, parts);
   model.move_by(grid.origin);
   return model;
 }

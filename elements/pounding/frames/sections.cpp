@@ -4,6 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 namespace pounding {
 namespace {
@@ -33,6 +34,7 @@ Section ring(double diameter, double ratio) {
   s.shear_area_y = s.shear_area_z = s.area * 6 * squares * squares / (7 * squares * squares + 20 * ratio * ratio);
   s.width = s.depth = diameter;
   s.is_round = true;
+  s.plastic_y = s.plastic_z = cubed(diameter) * (1 - cubed(ratio)) / 6;
   return s;
 }
 
@@ -55,7 +57,9 @@ Section rectangle_section(double width, double depth) {
           .shear_area_y = area * 5 / 6,
           .shear_area_z = area * 5 / 6,
           .width = width,
-          .depth = depth};
+          .depth = depth,
+          .plastic_y = width * depth * depth / 4,
+          .plastic_z = depth * width * width / 4};
 }
 
 Section circle_section(double diameter) {
@@ -87,6 +91,8 @@ Section i_section(double depth, double width, double flange, double web) {
   s.shear_area_y = 2 * width * flange * 5 / 6;
   s.width = width;
   s.depth = depth;
+  s.plastic_y = width * flange * between + web * clear * clear / 4;
+  s.plastic_z = width * width * flange / 2 + clear * web * web / 4;
   return s;
 }
 
@@ -100,6 +106,25 @@ Material isotropic(double young, double density, double poisson) {
 Section without_shear_deformation(Section section) {
   section.shear_area_y = section.shear_area_z = Section{}.shear_area_y;
   return section;
+}
+
+Section turned_section(Section section) {
+  std::swap(section.inertia_y, section.inertia_z);
+  std::swap(section.shear_area_y, section.shear_area_z);
+  std::swap(section.width, section.depth);
+  std::swap(section.plastic_y, section.plastic_z);
+  return section;
+}
+
+double plastic_moment(const Section& section, BendingAxis axis, double strength) {
+  require_positive(strength, "strength");
+  const double modulus = axis == BendingAxis::y ? section.plastic_y : section.plastic_z;
+  if (!(modulus > 0))
+    throw std::invalid_argument(
+        "the plastic modulus of a section given by its properties is unknown; type plastic_modulus_y: 1.2e-3 m^3 in "
+        "the "
+        "section, or yield_moment: 210 kN m");
+  return modulus * strength;
 }
 
 Section with_stiffness(Section section, double factor) {

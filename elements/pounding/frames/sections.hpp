@@ -6,6 +6,7 @@
 /// 6 % (tube). All functions throw std::invalid_argument, naming the dimension, for an invalid shape.
 
 #include <pounding/frames/beam.hpp>
+#include <pounding/frames/hinge.hpp>
 
 namespace pounding {
 
@@ -38,7 +39,15 @@ double extent(const Section& section, const Eigen::Matrix3d& axes, const Eigen::
 /// True if a member is closer to vertical than to horizontal, like a column.
 bool is_upright(const Beam& beam);
 
-/// Multiplies both inertias by a factor > 0, as for cracked concrete; area, torsion and shear areas are unchanged.
+/// The section turned by 90 degrees about its axis: local y and z are exchanged.
+Section turned_section(Section section);
+
+/// Plastic moment of a section about a local axis [N m] for a yield strength > 0 [Pa], without axial force. Throws
+/// std::invalid_argument if the plastic modulus is unknown.
+double plastic_moment(const Section& section, BendingAxis axis, double strength);
+
+/// Multiplies both inertias by a factor > 0, as for cracked concrete; area, torsion, shear areas and
+/// plastic moduli are unchanged.
 Section with_stiffness(Section section, double factor);
 
 }  // namespace pounding

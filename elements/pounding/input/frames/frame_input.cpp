@@ -245,6 +245,7 @@ class FrameReader {
                                                    : FrameGeometry::linear;
     }
     if (gravity) model_.gravity = gravity->as_bool();
+    balance_loaded_mass(model_, parts_.grid());
     if (geometry) placed(*geometry, [&] { model_.check_geometry(); });
   }
 

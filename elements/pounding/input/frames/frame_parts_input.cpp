@@ -4,6 +4,7 @@
 
 #include <pounding/core/names.hpp>
 #include <pounding/input/frames/frame_bays.hpp>
+#include <pounding/input/frames/grid_loads.hpp>
 
 namespace pounding {
 
@@ -116,6 +117,7 @@ void FramePartsInput::read_grid(const Input& node) {
   grid.material = library_.default_material(node);
   grid.mass = mass_kind_;
   if (const auto mass = node.find("floor_mass")) grid.floor_mass = mass->as_quantities(grid.storeys);
+  read_loads(node, grid);
   if (const auto members = body_.find("members")) read_members_of_grid(*members, grid);
   grid_ = placed(node, [&] { return add_grid(frame.model, grid); });
   const Frame& made = frame.model.frame;

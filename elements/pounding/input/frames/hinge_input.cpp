@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 
 #include <pounding/core/names.hpp>
+#include <pounding/frames/sections.hpp>
 #include <pounding/input/frames/frame_parts_input.hpp>
 #include <pounding/input/spring_input.hpp>
 #include <pounding/structures/make_spring.hpp>
@@ -131,25 +132,42 @@ class HingeReader {
           hinge.at = end;
           hinge.about = axis;
           hinge.member_length = whole.length;
+          if (const auto strength = node.find("strength")) hinge.yield_moment = read_capacity(*strength, hinge);
           found_.insert_or_assign(std::tuple(hinge.member, end, axis), std::pair(hinge, node));
         }
       }
     if (!is_any) node.at("at").fail("no end is at a supported node; type at: start, at: end or at: both");
   }
 
+  // Plastic moment of the section of a hinge.
+  double read_capacity(const Input& strength, const Hinge& hinge) const {
+    const Beam& beam = frame().beam(hinge.member);
+    const bool of_material = strength.as_text() == "material";
+    if (of_material && beam.material().strength == 0)
+      strength.fail(
+          fmt::format("the material of {} has no strength; type material: S355, or strength: 355 MPa in the material",
+                      frame().member_name(hinge.member)));
+    const double value = of_material ? beam.material().strength : strength.as_quantity();
+    return placed(strength, [&] { return plastic_moment(beam.section(), hinge.about, value); });
+  }
+
   // Reads a rigid-plastic hinge or a spring in series.
   Hinge read_law(const Input& node) const {
     if (const hysteresis::Entry* law = law_among_keys(node, "a hinge")) {
-      for (const char* const key : {"yield_moment", "hardening"})
+      for (const char* const key : {"yield_moment", "strength", "hardening"})
         if (const auto found = node.find(key))
           found->fail_at_key(fmt::format(
               "belongs to a rigid-plastic hinge, and {0} is also given; write it inside {0}, or leave {0} out",
               law->name));
       return read_spring(node.at(law->name), *law);
     }
-    const auto moments = node.find("yield_moment");
-    if (!moments) node.fail("the yield moment is missing; type yield_moment: 210 kN m");
+    const auto moments = node.find("yield_moment"), strength = node.find("strength");
+    if (moments && strength)
+      strength->fail_at_key("yield_moment and strength both set the yield moment; keep one of them");
+    if (!moments && !strength)
+      node.fail("the yield moment is missing; type yield_moment: 210 kN m, or strength: 355 MPa for steel");
     Hinge hinge{.hardening = node.quantity("hardening")};
+    if (strength) return hinge;
     std::tie(hinge.yield_moment, hinge.hogging_moment) = read_moments(*moments);
     return hinge;
   }

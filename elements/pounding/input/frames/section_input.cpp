@@ -1,7 +1,6 @@
 #include <pounding/input/frames/section_input.hpp>
 
 #include <array>
-#include <charconv>
 #include <limits>
 #include <stdexcept>
 #include <string_view>
@@ -10,18 +9,36 @@
 
 #include <fmt/format.h>
 
+#include <pounding/base/nearest_name.hpp>
 #include <pounding/core/names.hpp>
+#include <pounding/frames/profiles/profiles.hpp>
 #include <pounding/frames/sections.hpp>
+#include <pounding/input/frames/by_storey.hpp>
 
 namespace pounding {
 namespace {
 
-constexpr std::array<std::string_view, 4> shapes{"rectangle", "i_section", "tube", "circle"};
-constexpr std::array<std::string_view, 6> numbers{"area",    "inertia_y",    "inertia_z",
-                                                  "torsion", "shear_area_y", "shear_area_z"};
+constexpr std::array<std::string_view, 5> shapes{"profile", "rectangle", "i_section", "tube", "circle"};
+constexpr std::array<std::string_view, 8> numbers{
+    "area",         "inertia_y",    "inertia_z",         "torsion",
+    "shear_area_y", "shear_area_z", "plastic_modulus_y", "plastic_modulus_z"};
 constexpr std::string_view section_example = "rectangle: [0.4 m, 0.6 m], or area: 0.16 m^2 with inertia_y: 2.1e-3 m^4";
 
+std::optional<Section> find_profile_at(const Input& node, const std::string& name) {
+  try {
+    return find_profile(name);
+  } catch (const std::invalid_argument& error) {
+    node.fail(error.what());
+  }
+}
+
+Section read_profile(const Input& node, const std::string& name) {
+  if (const auto found = find_profile_at(node, name)) return *found;
+  node.fail(fmt::format("unknown section \"{}\"; {}", excerpt(name), nearest_profiles(name)));
+}
+
 Section read_shape(const Input& node, std::string_view shape) {
+  if (shape == "profile") return read_profile(node, node.as_text());
   try {
     if (shape == "circle") return circle_section(node.as_quantity());
     if (shape == "rectangle") {
@@ -54,6 +71,8 @@ Section read_numbers(const Input& node, int dimension) {
   }
   s.shear_area_y = node.find_quantity("shear_area_y").value_or(rigid);
   s.shear_area_z = node.find_quantity("shear_area_z").value_or(rigid);
+  s.plastic_y = node.find_quantity("plastic_modulus_y").value_or(0);
+  s.plastic_z = node.find_quantity("plastic_modulus_z").value_or(0);
   return s;
 }
 
@@ -72,34 +91,6 @@ Value named(const Input& node, std::string_view what, const std::map<std::string
   return found->second;
 }
 
-// Storeys of a key such as "4" or "1-3".
-std::pair<int, int> storeys_of(const std::string& key, const Input& location, int storeys) {
-  int first = 0, last = 0;
-  const char *begin = key.data(), *end = begin + key.size();
-  const auto [dash, bad_first] = std::from_chars(begin, end, first);
-  bool is_range = bad_first == std::errc{};
-  if (is_range && dash == end)
-    last = first;
-  else if (is_range && *dash == '-') {
-    const auto [after, bad_last] = std::from_chars(dash + 1, end, last);
-    is_range = bad_last == std::errc{} && after == end;
-  } else
-    is_range = false;
-  if (!is_range)
-    location.fail_at_key(
-        fmt::format("\"{}\" is not a storey; type a number such as 4, or a range such as 1-3", excerpt(key)));
-  if (first < 1 || last < first || last > storeys)
-    location.fail_at_key(
-        fmt::format("\"{}\" is out of range: storeys are numbered from 1 at the ground to {}", excerpt(key), storeys));
-  return {first, last};
-}
-
-bool is_by_storey(const Input& node) {
-  if (!node.is_map()) return false;
-  const auto entries = node.entries();
-  return !entries.empty() && entries.front().first.find_first_of("0123456789") == 0;
-}
-
 }  // namespace
 
 Material read_material(const Input& node) {
@@ -108,8 +99,10 @@ Material read_material(const Input& node) {
   const auto shear = node.find("G"), poisson = node.find("poisson");
   if (shear && poisson) poisson->fail_at_key("G and poisson both define the shear modulus; keep one of them");
   const double density = node.quantity("density");
-  if (shear) return {.young = young, .shear = shear->as_quantity(), .density = density};
-  return isotropic(young, density, node.quantity("poisson"));
+  Material material = shear ? Material{.young = young, .shear = shear->as_quantity(), .density = density}
+                            : isotropic(young, density, node.quantity("poisson"));
+  material.strength = node.find_quantity("strength").value_or(0);
+  return material;
 }
 
 Section read_section(const Input& node, int dimension) {
@@ -138,6 +131,7 @@ Section read_section(const Input& node, int dimension) {
                                  : "requires shear_area_y and shear_area_z; type shear_area_z: 0.13 m^2");
     if (!wanted) section = without_shear_deformation(section);
   }
+  if (const auto axis = node.find("axis"); axis && axis->as_choice() == "weak") section = turned_section(section);
   if (const auto stiffness = node.find("stiffness")) section = with_stiffness(section, stiffness->as_quantity());
   return section;
 }
@@ -151,48 +145,28 @@ SectionLibrary::SectionLibrary(const Input& frame, int dimension) : dimension_(d
 }
 
 Section SectionLibrary::section(const Input& node) const {
-  return node.is_map() ? read_section(node, dimension_) : named(node, "section", sections_);
-}
-
-std::vector<Section> SectionLibrary::of_storey(const Input& node, int lines) const {
-  if (!node.is_list()) return {section(node)};
-  const std::vector<Input> items = node.items();
-  if (static_cast<int>(items.size()) != lines)
-    node.fail(fmt::format("takes one section for the storey, or a list of {} by line; a list of {} was read", lines,
-                          items.size()));
-  std::vector<Section> sections;
-  for (const Input& item : items) sections.push_back(section(item));
-  return sections;
+  if (node.is_map()) return read_section(node, dimension_);
+  const std::string name = node.as_text();
+  if (const auto found = sections_.find(name); found != sections_.end()) return found->second;
+  if (sections_.empty() || find_profile_at(node, name)) return read_profile(node, name);
+  const std::vector<std::string> known = names(sections_);
+  const std::vector<std::string_view> views(known.begin(), known.end());
+  const std::string unknown = unknown_name("section", name, known);
+  if (!nearest_name(name, views).empty()) node.fail(unknown);
+  node.fail(fmt::format("{} Otherwise {}", unknown, nearest_profiles(name)));
 }
 
 GridSections SectionLibrary::sections_of_grid(const Input& node, int storeys, int lines) const {
-  std::vector<std::vector<Section>> rows;
-  if (node.is_list()) {
-    const std::vector<Input> items = node.items();
-    if (static_cast<int>(items.size()) != storeys)
-      node.fail(fmt::format("takes one section or a list of {} from the ground up; a list of {} was read", storeys,
-                            items.size()));
-    for (const Input& item : items) rows.push_back(of_storey(item, lines));
-    return rows;
-  }
-  if (!is_by_storey(node)) return section(node);
-  rows.resize(storeys);
-  for (const auto& [key, each] : node.entries()) {
-    const auto [first, last] = storeys_of(key, each, storeys);
-    for (int storey = first; storey <= last; ++storey) {
-      if (!rows[storey - 1].empty()) each.fail_at_key(fmt::format("storey {} is given twice; keep it once", storey));
-      rows[storey - 1] = of_storey(each, lines);
-    }
-  }
-  for (int storey = 1; storey <= storeys; ++storey)
-    if (rows[storey - 1].empty())
-      node.fail(fmt::format("storey {} is missing; list every storey from 1 to {} once, as in {{1-3: C60, 4-5: C50}}",
-                            storey, storeys));
-  return rows;
+  return read_by_storey(node, storeys, lines, "section", {"C60", "C50"},
+                        [this](const Input& each) { return section(each); });
 }
 
 Material SectionLibrary::material(const Input& node) const {
-  return node.is_map() ? read_material(node) : named(node, "material", materials_);
+  if (node.is_map()) return read_material(node);
+  const std::string name = node.as_text();
+  if (!materials_.contains(name))
+    if (const auto steel = find_steel(name)) return *steel;
+  return named(node, "material", materials_);
 }
 
 Material SectionLibrary::default_material(const Input& member) const {

@@ -11,11 +11,11 @@
 
 namespace pounding {
 
-/// Reads {E, G or poisson (default 0.2), density (default 0)}. Throws InputError with the location.
+/// Reads {E, G or poisson (default 0.2), density (default 0), strength}. Throws InputError with the location.
 Material read_material(const Input& node);
 
-/// Reads one of rectangle, i_section, tube, circle, or area and second moments of area. shear: false neglects shear
-/// deformation; stiffness is a factor on both second moments. Throws InputError.
+/// Reads one of profile, rectangle, i_section, tube, circle, or area and second moments of area. shear: false neglects
+/// shear deformation; stiffness is a factor on both second moments. Throws InputError.
 Section read_section(const Input& node, int dimension);
 
 /// Materials and sections in `materials:`, `sections:` and `material:` of a frame.
@@ -23,7 +23,7 @@ class SectionLibrary {
  public:
   SectionLibrary(const Input& frame, int dimension);
 
-  /// `node` is a name or a map.
+  /// `node` is a map or a name: of the input, of a standard section, or of a steel grade.
   Section section(const Input& node) const;
   Material material(const Input& node) const;
   /// Sections of the columns or beams of a grid: one, a list from the ground up, or a map from storeys such as 1-3. The
@@ -33,8 +33,6 @@ class SectionLibrary {
   Material default_material(const Input& member) const;
 
  private:
-  std::vector<Section> of_storey(const Input& node, int lines) const;
-
   int dimension_;
   std::map<std::string, Section> sections_;
   std::map<std::string, Material> materials_;

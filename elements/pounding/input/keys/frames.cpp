@@ -18,7 +18,9 @@ constexpr Key frame_keys[] = {
      "[12 m, 0 m]"},
     face_key,
     {"material", text().or_map(material), otherwise("none; each member then names a material"),
-     "Material of all members that do not name one: a name from materials, or a map.",
+     "Material of all members that do not name one: a name from materials, a steel grade (S235, S275, S355, S420, "
+     "S460, "
+     "A36, A992) with its strength and density, or a map.",
      "{E: 30 GPa, poisson: 0.2, density: 2500 kg/m^3}"},
     {"materials", map(material).named(), optional, "Materials by name.",
      "{concrete: {E: 30 GPa}, steel: {E: 210 GPa}}"},
@@ -93,19 +95,43 @@ constexpr Key grid_keys[] = {
      "Bay width: one value for all bays, or a list from the left. In space also one value or list per direction.",
      "6 m"},
     {"columns", text().or_map(cross_section).by_storey(), required,
-     "Cross-section of the columns: a name from sections, or a map. It may vary by storey, {1-3: C60, 4-5: C50}, and "
+     "Cross-section of the columns: a name from sections, a standard steel section such as HEB400, or a map. It may "
+     "vary by storey, {1-3: C60, 4-5: C50}, and "
      "by column line, {1-5: [C50, C60, C60, C50]}, from the left (in space along x, then along y).",
      "{rectangle: [0.4 m, 0.4 m]}"},
     {"beams", text().or_map(cross_section).by_storey(), required,
-     "Cross-section of the beams: a name from sections, or a map. It may vary by storey, where a storey includes the "
+     "Cross-section of the beams: a name from sections, a standard steel section such as HEB400, or a map. It may vary "
+     "by storey, where a storey includes the "
      "floor above it, and by bay from the left; in space by the column line at the first end of the beam.",
      "{rectangle: [0.3 m, 0.5 m]}"},
     {"floor_mass", quantity(dimension::mass, bounds::non_negative).or_each(), otherwise("0 t"),
      "Floor mass in addition to the mass of the members: one value for all floors, or a list from the ground up. It is "
      "distributed over the nodes of the floor and acts in all translations.",
      "60 t"},
+    {"beams_load", quantity(dimension::stiffness).called("a force per length").by_storey(), otherwise("no load"),
+     "Vertical load on the beams, before and during the motion; negative downwards. One value, or by storey and line "
+     "like the sections of the beams. The weights of floor_mass act as well; gravity: false omits them if the load "
+     "already contains them.",
+     "-25 kN/m", "0.3.0"},
+    {"dead_load", quantity(dimension::stiffness).called("a force per length").by_storey(), otherwise("no load"),
+     "Vertical dead load on the beams, like beams_load, multiplied by its factor in combination.", "-20 kN/m", "0.3.0"},
+    {"live_load", quantity(dimension::stiffness).called("a force per length").by_storey(), otherwise("no load"),
+     "Vertical live load on the beams, like beams_load, multiplied by its factor in combination.", "-10 kN/m", "0.3.0"},
+    {"combination", map(combination), otherwise("{dead: 1}; required with live_load"),
+     "Factors of dead_load and live_load: the load on the beams is dead times dead_load plus live times live_load.",
+     "{dead: 1, live: 0.3}", "0.3.0"},
+    {"mass_from_loads", boolean(), otherwise("false"),
+     "true adds the mass of the combined load on the beams, load times length over g, half at each end of a beam. Its "
+     "weight is the load itself and does not act twice.",
+     "true", "0.3.0"},
     {"rigid_floors", boolean(), otherwise("true in space, false in the plane"),
      "true makes the floors rigid in their plane.", "true"},
+};
+
+constexpr Key combination_keys[] = {
+    {"dead", number(bounds::non_negative), otherwise("1"), "Factor of the dead load.", "1", "0.3.0"},
+    {"live", number(bounds::non_negative), otherwise("none; required with live_load"), "Factor of the live load.",
+     "0.3", "0.3.0"},
 };
 
 constexpr Key bay_width_keys[] = {
@@ -140,6 +166,8 @@ constinit const Section frame{
 constinit const Section grid{"grid", "structures.NAME.frame.grid", "Regular frame.", grid_keys};
 constinit const Section bay_width{"bay_width", "structures.NAME.frame.grid.bay_width",
                                   "Bay widths of a frame in space.", bay_width_keys};
+constinit const Section combination{"combination", "structures.NAME.frame.grid.combination",
+                                    "Factors of the load cases on the beams.", combination_keys};
 constinit const Section floor{"floors", "structures.NAME.frame.floors[]", "Floor of a frame.", floor_keys};
 constinit const Section report{"report", "structures.NAME.frame.report",
                                "Nodes and members with time histories in the results.", report_keys};

@@ -27,6 +27,12 @@ constexpr Key moment_key(
     "yield_moment", quantity(dimension::energy).called("a moment").or_list(2), optional,
     "Yield moment: one value, or two, [sagging, -hogging]. A sagging beam has tension at the bottom.", "210 kN m",
     "0.2.0");
+constexpr std::string_view of_material[] = {"material"};
+constexpr Key strength_key(
+    "strength", quantity(dimension::stress, bounds::positive).or_one_of(of_material), optional,
+    "Yield strength of steel, instead of yield_moment: the yield moment of each hinge is the plastic modulus of its "
+    "section times this strength, without axial force. material: strength of the material of the member.",
+    "355 MPa", "0.3.0");
 constexpr Key ultimate_key("ultimate_rotation", number(bounds::positive), otherwise("none"),
                            "Ultimate plastic rotation, for reports only [rad].", "0.04", "0.2.0");
 
@@ -50,7 +56,8 @@ Key hinge_of_series(Key spec) {
 
 /// Keys of the hinges and of the laws of springs in series.
 struct OfHinges : YieldingKeys {
-  std::vector<Key> own{at_key, hinge_axis_key, rigid(moment_key), hinge_hardening_key, ultimate_key};
+  std::vector<Key> own{at_key,      hinge_axis_key, rigid(moment_key), rigid(strength_key), hinge_hardening_key,
+                       ultimate_key};
 
   template <hysteresis::Law L>
   void add(const L& made) {

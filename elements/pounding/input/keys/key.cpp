@@ -30,7 +30,7 @@ constexpr auto without_laws =
     }(model, ground_motion, components, motion, wave, harmonic, sum_part, pulse, synthetic, displacement,
       moved_harmonic, moved_part, structure, body, oscillator, shear_building, storey_spring, wall, damping, rayleigh,
       mass_proportional, stiffness_proportional, modal, force, force_harmonic, force_sum_part, force_pulse, step_force,
-      frame, material, cross_section, i_section, tube, grid, bay_width, member, releases, offsets, support,
+      frame, material, cross_section, i_section, tube, grid, bay_width, combination, member, releases, offsets, support,
       support_springs, support_dashpots, isolator, floor, node_masses, node_loads, node_displacements, spring, tie,
       hinge, report, link, link_end, stiffness, device, own_device, bar, damper, analysis, reduction, checkpoint);
 

@@ -4,6 +4,8 @@
 namespace pounding::keys {
 namespace {
 
+constexpr std::string_view section_axes[] = {"strong", "weak"};
+
 constexpr Key material_keys[] = {
     {"E", quantity(dimension::stress, bounds::positive), required, "Young's modulus.", "30 GPa"},
     {"G", quantity(dimension::stress, bounds::positive), otherwise("E/(2 (1 + poisson))"),
@@ -11,9 +13,16 @@ constexpr Key material_keys[] = {
     {"poisson", number(0, 0.5), otherwise("0.2"), "Poisson's ratio. Give G or poisson, not both.", "0.2"},
     {"density", quantity(dimension::density, bounds::non_negative), otherwise("0 kg/m^3"),
      "Density, from which the mass of members follows.", "2500 kg/m^3"},
+    {"strength", quantity(dimension::stress, bounds::positive), otherwise("none"),
+     "Yield strength of steel, for hinges with strength: material.", "355 MPa", "0.3.0"},
 };
 
 constexpr Key cross_section_keys[] = {
+    {"profile", text(), exactly_one,
+     "Standard steel section by name, regardless of case and blanks: IPE, HEA, HEB, HEM, HD, HP, UB, UC, UBP; W, M, S, "
+     "HP, HSS, PIPE of the AISC; SHS 200x8, RHS 300x200x10, CHS 219.1x8 in mm. Bending about local y is about the "
+     "strong axis.",
+     "HEB400", "0.3.0"},
     {"rectangle", quantity(dimension::length, bounds::positive).list(2), exactly_one,
      "[width, depth] along local y and local z; local z is vertical in a beam.", "[0.4 m, 0.6 m]"},
     {"i_section", map(i_section), exactly_one, "Doubly symmetric I-section of three rectangles.",
@@ -32,6 +41,14 @@ constexpr Key cross_section_keys[] = {
      otherwise("from the shape; without a shape no shear deformation"), "Shear area along local y.", "0.13 m^2"},
     {"shear_area_z", quantity(dimension::area, bounds::positive),
      otherwise("from the shape; without a shape no shear deformation"), "Shear area along local z.", "0.13 m^2"},
+    {"plastic_modulus_y", quantity(dimension::volume, bounds::positive), otherwise("from the shape, else unknown"),
+     "Plastic modulus for bending about local y, for hinges with a strength.", "3.2e-3 m^3", "0.3.0"},
+    {"plastic_modulus_z", quantity(dimension::volume, bounds::positive), otherwise("from the shape, else unknown"),
+     "Plastic modulus for bending about local z, for hinges with a strength.", "1.1e-3 m^3", "0.3.0"},
+    {"axis", choice(section_axes, "axis"), otherwise("strong"),
+     "weak turns the section by 90 degrees about its axis: local y and z are exchanged, so that a plane frame bends a "
+     "standard section about its weak axis.",
+     "weak", "0.3.0"},
     {"shear", boolean(), otherwise("true if shear areas are known"), "false neglects shear deformation.", "false"},
     {"stiffness", number(bounds::positive), otherwise("1"),
      "Factor on both second moments of area, for example for cracked concrete. Area, torsion constant and shear areas "
@@ -55,12 +72,14 @@ constexpr Key member_keys[] = {
     {"between", text().list(2), otherwise("nodes of the grid, for a member of the grid"),
      "Start node and end node. Local x points from start to end.", "[a, b]"},
     {"section", text().or_map(cross_section), otherwise("section of the grid, for a member of the grid"),
-     "Cross-section of a beam: a name from sections, or a map. Give section or truss, not both.",
+     "Cross-section of a beam: a name from sections, a standard steel section such as HEB400, or a map. Give section "
+     "or "
+     "truss, not both.",
      "{rectangle: [0.4 m, 0.6 m]}"},
     {"truss", quantity(dimension::area, bounds::positive), otherwise("a beam"),
      "Cross-sectional area of a member with axial force only.", "20 cm^2"},
     {"material", text().or_map(material), otherwise("material of the frame"),
-     "Material: a name from materials, or a map.", "{E: 210 GPa}"},
+     "Material: a name from materials, a steel grade such as S355, or a map.", "{E: 210 GPa}"},
     {"releases", map(releases), otherwise("no releases"),
      "End releases: degrees of freedom without force transfer, in local axes.", "{start: [ry]}"},
     {"offsets", map(offsets), otherwise("no offsets"),

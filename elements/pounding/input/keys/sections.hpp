@@ -25,7 +25,7 @@ extern const Section structure, body, oscillator, shear_building, wall, damping,
 extern const Section force, force_harmonic, force_sum_part, force_pulse, step_force;
 
 /// Frames: frames.cpp; materials, sections and members: members.cpp; supports, nodal masses and loads: nodes.cpp.
-extern const Section frame, grid, bay_width, floor, report;
+extern const Section frame, grid, bay_width, combination, floor, report;
 extern const Section material, cross_section, i_section, tube, member, releases, offsets;
 extern const Section support, support_springs, support_dashpots, node_masses, node_loads, node_displacements, spring,
     tie;
