@@ -171,6 +171,40 @@ TEST(FrameLink, FrictionNeedsAFrameAForceAndItsVelocity) {
       at("4:77", "links[0].friction"));
 }
 
+TEST(FrameLink, FrictionMayStickUntilItSlips) {
+  const auto friction_of = [](const std::string& value) {
+    return test::model_of(linked("between: [a.1, b.1], friction: " + value)).links[0];
+  };
+  EXPECT_EQ(friction_of("{coefficient: 0.3}").friction, 0.3);
+  EXPECT_EQ(friction_of("{coefficient: 0.3}").sliding_velocity, 5e-3);
+  EXPECT_EQ(friction_of("{coefficient: 30 %, tangential_stiffness: 50 MN/m}").tangential_stiffness, 5e7);
+  EXPECT_DOUBLE_EQ(friction_of("{coefficient: 0.3, poisson: 0.2}").tangential_ratio, 1.6 / 1.8);
+  const Link sticks = friction_of("{coefficient: 0.3, static: 0.4, stribeck_velocity: 10 mm/s, tangential_ratio: 0.8}");
+  EXPECT_EQ(sticks.static_friction, 0.4);
+  EXPECT_EQ(sticks.stribeck_velocity, 0.01);
+  EXPECT_EQ(sticks.tangential_ratio, 0.8);
+}
+
+TEST(FrameLink, FrictionThatSticksNeedsConsistentKeys) {
+  const auto rejects = [](const std::string& value, const std::string& place, const std::string& key, auto facts) {
+    refused(linked("between: [a.1, b.1], friction: " + value), at(place, key), facts);
+  };
+  rejects("{static: 0.4}", "9:80", "links[0].friction", mentions({"coefficient"}));
+  rejects("{coefficient: 0.3, static: 0.4}", "9:80", "links[0].friction", mentions({"tangential_stiffness"}));
+  rejects("{coefficient: 0.3, static: 0.4, tangential_ratio: 1}", "9:80", "links[0].friction",
+          mentions({"stribeck_velocity"}));
+  rejects("{coefficient: 0.3, stribeck_velocity: 0.1, tangential_ratio: 1}", "9:80", "links[0].friction",
+          mentions({"static"}));
+  rejects("{coefficient: 0.3, static: 0.2, stribeck_velocity: 0.1, tangential_ratio: 1}", "9:80", "links[0].friction",
+          mentions({"0.2", "0.3"}));
+  rejects("{coefficient: 0.3, poisson: 0.2, tangential_ratio: 1}", "9:80", "links[0].friction",
+          mentions({"poisson", "tangential_ratio"}));
+  rejects("{coefficient: 0.3, tangential_stifness: 1}", "9:99", "links[0].friction.tangential_stifness",
+          mentions({"tangential_stiffness"}));
+  refused(linked("between: [a.1, b.1], friction: {coefficient: 0.3, poisson: 0.2}, sliding_velocity: 5 mm/s"),
+          at("9:132", "links[0].sliding_velocity"), mentions({"tangential stiffness"}));
+}
+
 TEST(FrameLink, ItsEndsExist) {
   refused(linked("between: [a.1, {structure: b, node: 1.7}]"), at("9:64", "links[0].between[1]"),
           mentions({"1.7", "1.0"}));

@@ -52,6 +52,8 @@ constexpr Usual usual_values[] = {
     {"bay_width", "x", 0.3, 300, "height", "a length without a unit is in m; type a unit, as in 6000 mm"},
     {"bay_width", "y", 0.3, 300, "height", "a length without a unit is in m; type a unit, as in 6000 mm"},
     {"links", "friction", 0, 2, "friction", "it is a coefficient; type it as 40 % or 0.4"},
+    {"friction", "coefficient", 0, 2, "friction", "it is a coefficient; type it as 40 % or 0.4"},
+    {"friction", "static", 0, 2, "friction", "it is a coefficient; type it as 40 % or 0.4"},
     {"links", "level_within", 0, 2, "height", "a length without a unit is in m; type a unit, as in 50 mm"},
     {"displacement_harmonic", "amplitude", 0, 5, "amplitude",
      "a length without a unit is in m; type a unit, as in 20 mm"},

@@ -98,6 +98,24 @@ Input location_of(const ModelError& error, const Input& link, const Input& betwe
   }
 }
 
+// One coefficient, or a map.
+void read_link_friction(const Input& node, LinkOptions& options) {
+  if (!node.is_map()) {
+    options.friction = node.as_quantity();
+    return;
+  }
+  node.only_keys();
+  options.friction = node.quantity("coefficient");
+  options.static_friction = node.find_quantity("static");
+  options.stribeck_velocity = node.find_quantity("stribeck_velocity");
+  options.tangential_stiffness = node.find_quantity("tangential_stiffness");
+  options.tangential_ratio = node.find_quantity("tangential_ratio");
+  const std::optional<double> poisson = node.find_quantity("poisson");
+  if (options.tangential_stiffness.has_value() + options.tangential_ratio.has_value() + poisson.has_value() > 1)
+    node.fail("takes one of tangential_stiffness, tangential_ratio and poisson; keep one of them");
+  if (poisson) options.tangential_ratio = 2 * (1 - *poisson) / (2 - *poisson);
+}
+
 // The gap is optional if it follows from the drawing.
 LinkOptions read_options(const Input& node, int count, bool is_drawn) {
   LinkOptions options;
@@ -106,7 +124,7 @@ LinkOptions read_options(const Input& node, int count, bool is_drawn) {
   if (const auto name = node.find("name")) options.name = name->as_text();
   if (const auto points = node.find("points")) options.points = static_cast<int>(points->as_integer());
   options.level_within = node.find_quantity("level_within");
-  options.friction = node.find_quantity("friction");
+  if (const auto friction = node.find("friction")) read_link_friction(*friction, options);
   options.sliding_velocity = node.find_quantity("sliding_velocity");
   options.reduced_mass = node.find_quantity("reduced_mass");
   options.seat = node.find_quantity("seat");

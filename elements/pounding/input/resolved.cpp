@@ -261,8 +261,20 @@ void emit_link(YAML::Emitter& out, const Model& model, const Link& link) {
   field(out, "reduced_mass_from") << (link.reduced_mass_given ? "the input" : "the masses of the two ends");
   if (!link.stiffness_from.empty()) field(out, "stiffness_from") << link.stiffness_from;
   if (link.friction > 0) {
-    emit(out, "friction", link.friction);
-    emit(out, "sliding_velocity", link.sliding_velocity);
+    if (link.tangential_stiffness == 0 && link.tangential_ratio == 0) {
+      emit(out, "friction", link.friction);
+      emit(out, "sliding_velocity", link.sliding_velocity);
+    } else {
+      field(out, "friction") << YAML::BeginMap;
+      emit(out, "coefficient", link.friction);
+      if (link.static_friction > 0) {
+        emit(out, "static", link.static_friction);
+        emit(out, "stribeck_velocity", link.stribeck_velocity);
+      }
+      if (link.tangential_stiffness > 0) emit(out, "tangential_stiffness", link.tangential_stiffness);
+      if (link.tangential_ratio > 0) emit(out, "tangential_ratio", link.tangential_ratio);
+      out << YAML::EndMap;
+    }
   }
   field(out, "parameters") << YAML::BeginMap;
   for (const laws::ResolvedValue& value : link.parameters)

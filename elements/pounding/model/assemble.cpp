@@ -224,7 +224,11 @@ System assemble(const Model& model, bool with_links) {
                                 .first = static_cast<int>(columns.size()),
                                 .count = static_cast<int>(sliding.size()),
                                 .coefficient = link.friction,
-                                .sliding = link.sliding_velocity});
+                                .sliding = link.sliding_velocity,
+                                .static_coefficient = link.static_friction,
+                                .stribeck = link.stribeck_velocity,
+                                .stiffness = link.tangential_stiffness,
+                                .ratio = link.tangential_ratio});
     for (const Eigen::Vector3d& direction : sliding) add_column(link, direction);
   }
   const int links = static_cast<int>(columns.size());

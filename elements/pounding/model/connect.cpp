@@ -85,6 +85,22 @@ void check_options(const LinkOptions& options, const ContactLaw& law, bool is_dr
     refuse_idle(ModelOption::level_within, "applies only to floors: all, level or any, and to drawn ends; remove it");
   if (options.sliding_velocity && !options.friction)
     refuse_idle(ModelOption::sliding_velocity, "requires friction; add friction: 0.3, or remove it");
+  const bool is_compliant = options.tangential_stiffness || options.tangential_ratio;
+  if ((is_compliant || options.static_friction || options.stribeck_velocity) && !options.friction)
+    refuse(ModelOption::friction, "the coefficient is missing; give it, such as 0.3");
+  if (options.tangential_stiffness && options.tangential_ratio)
+    refuse(ModelOption::friction, "tangential_stiffness and tangential_ratio were both given; keep one of them");
+  if (options.sliding_velocity && is_compliant)
+    refuse_idle(ModelOption::sliding_velocity,
+                "applies only to friction without a tangential stiffness, which sticks without it; remove it");
+  if (options.static_friction && !is_compliant)
+    refuse(ModelOption::friction,
+           "static friction needs a tangential stiffness, at which the contact sticks; add one, such as "
+           "tangential_stiffness: 50 MN/m");
+  if (options.static_friction.has_value() != options.stribeck_velocity.has_value())
+    refuse(ModelOption::friction, options.static_friction
+                                      ? "static needs the velocity over which it decays; add stribeck_velocity: 10 mm/s"
+                                      : "stribeck_velocity needs the coefficient at rest; add static: 0.4");
 }
 
 // Faces belong to a drawing: for other ends the gap is given.
@@ -160,6 +176,20 @@ void set_friction(Link& link, const LinkOptions& options, const Structure& a, co
     refuse(ModelOption::friction, "friction must be finite and not negative");
   if (!(link.sliding_velocity > 0) || std::isinf(link.sliding_velocity))
     refuse(ModelOption::sliding_velocity, "sliding_velocity must be positive and finite");
+  const auto take = [](double& value, std::optional<double> given, const char* name) {
+    if (!given) return;
+    if (!(*given > 0 && std::isfinite(*given)))
+      refuse(ModelOption::friction, fmt::format("{} must be positive and finite; {:g} was given", name, *given));
+    value = *given;
+  };
+  take(link.tangential_stiffness, options.tangential_stiffness, "tangential_stiffness");
+  take(link.tangential_ratio, options.tangential_ratio, "tangential_ratio");
+  take(link.static_friction, options.static_friction, "static");
+  take(link.stribeck_velocity, options.stribeck_velocity, "stribeck_velocity");
+  if (options.static_friction && link.static_friction < link.friction)
+    refuse(ModelOption::friction, fmt::format("static is {:g}, below the coefficient of sliding, {:g}; give at least "
+                                              "that coefficient",
+                                              link.static_friction, link.friction));
   const auto slides = [](const Structure& s) { return !s.is_rigid() && s.dimension > 1; };
   if (!slides(a) && !slides(b))
     refuse_idle(ModelOption::friction,

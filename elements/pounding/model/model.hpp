@@ -57,6 +57,10 @@ struct Link {
   std::vector<laws::ResolvedValue> parameters;  ///< of the law, calibrated damping included
   double friction = 0;                          ///< Coulomb's coefficient
   double sliding_velocity = 0;                  ///< regularisation velocity, see Friction [m/s]
+  double static_friction = 0;                   ///< coefficient at rest; 0: like `friction`
+  double stribeck_velocity = 0;                 ///< [m/s]
+  double tangential_stiffness = 0;              ///< constant [N/m]; 0: none
+  double tangential_ratio = 0;                  ///< of the tangential stiffness to the slope of the law; 0: none
   std::unique_ptr<Contact> contact;
 
   /// True if one of its ends is on this structure, counted from 0.
@@ -186,6 +190,10 @@ struct LinkOptions {
   /// Length of the seat that supports one end on the other [m]: the run warns if the joint opens by more, from its
   /// width in the undeformed state. It has no effect on forces.
   std::optional<double> seat{};
+  /// Coefficient at rest, at least `friction`; requires a tangential stiffness and the velocity of its decay [m/s].
+  std::optional<double> static_friction{}, stribeck_velocity{};
+  /// Stiffness along the contact until it slips: constant [N/m], or as a ratio to the slope of the law.
+  std::optional<double> tangential_stiffness{}, tangential_ratio{};
   /// Mass for calibrating the damping [kg]; default: that of the law, otherwise that of the masses at the two ends.
   std::optional<double> reduced_mass{};
   /// Estimates the stiffness of the law from the masses at the two ends, instead of the stiffness in the law.

@@ -31,7 +31,16 @@ void System::check() const {
   for (const Friction& friction : frictions) {
     if (!(friction.coefficient >= 0 && std::isfinite(friction.coefficient)))
       throw std::invalid_argument("the coefficient of a friction must not be negative");
-    if (!(friction.sliding > 0 && std::isfinite(friction.sliding)))
+    if (friction.stiffness < 0 || friction.ratio < 0 || (friction.stiffness > 0 && friction.ratio > 0) ||
+        !std::isfinite(friction.stiffness + friction.ratio))
+      throw std::invalid_argument("a friction has at most one tangential stiffness, constant or as a ratio");
+    if (friction.static_coefficient != 0 &&
+        !(friction.is_compliant() && friction.static_coefficient >= friction.coefficient && friction.stribeck > 0 &&
+          std::isfinite(friction.static_coefficient / friction.stribeck)))
+      throw std::invalid_argument(
+          "a static friction coefficient must not be below the sliding one, and needs a tangential stiffness and a "
+          "Stribeck velocity");
+    if (!friction.is_compliant() && !(friction.sliding > 0 && std::isfinite(friction.sliding)))
       throw std::invalid_argument("the sliding velocity of a friction must be positive");
     if (friction.contact < 0 || friction.contact >= contact_count())
       throw std::invalid_argument("a friction belongs to a contact that does not exist");

@@ -173,8 +173,9 @@ void Recorder::summarize(Summary& summary) const {
       found.seat = link.seat;
     }
     const std::vector<Friction>& frictions = stepper_.system().frictions;
+    const std::vector<double> stored = stepper_.friction_stored();
     for (std::size_t f = 0; f < frictions.size(); ++f)
-      summary.links[frictions[f].contact].energy_lost += stepper_.friction_work()[f];
+      summary.links[frictions[f].contact].energy_lost += stepper_.friction_work()[f] - stored[f];
   }
   summary.devices = devices_.summary();
   summary.impacts = impacts_in_order();

@@ -44,7 +44,7 @@ class EnergyLedger {
 
   /// Present energies. Collective.
   Energies energies(const Equations& equations, const Instant& now) const;
-  /// Energy dissipated by each friction element [J].
+  /// Work done on each friction element, lost and stored [J].
   const std::vector<double>& friction() const { return friction_; }
 
   /// Writes or reads the sums.

@@ -53,7 +53,7 @@ Instant Equations::zero_instant() const {
   // The gravity terms are constant; the ground terms are recomputed at every instant.
   if (links.moved()) supports.relative_motion(0, x.ground, x.by_ground);
   if (pseudo_forces.any()) x.pseudo_force = Eigen::VectorXd::Zero(solver.size());
-  if (slips.any()) x.slip = Eigen::VectorXd::Zero(links.springs());
+  if (slips.any()) x.slip = x.friction_slip_rate = Eigen::VectorXd::Zero(slips.size());
   if (springs.any()) {
     x.relief = x.spring_slopes = Eigen::VectorXd::Zero(links.springs());
     x.force_rates = Eigen::MatrixXd::Zero(links.springs(), 2);
@@ -104,9 +104,10 @@ void Equations::balance(std::span<const LinkMotion> motions, const Eigen::Matrix
     }
   }
   for (const Friction& friction : links.frictions()) {
-    Sliding rates{};
-    for (int j = 0; j < friction.count; ++j) rates[j] = motions[friction.first + j].rate;
-    const FrictionForce answer = friction_force(friction, {.force = force[friction.contact]}, rates);
+    TangentialMotion along;
+    for (int j = 0; j < friction.count; ++j) along.set(j, motions[friction.first + j]);
+    const FrictionForce answer =
+        links.friction(friction, motions[friction.contact], {.force = force[friction.contact]}, along);
     for (int j = 0; j < friction.count; ++j) force[friction.first + j] = answer.force[j];
   }
   if (any) solver.add_forces(-1, force, r);

@@ -7,12 +7,12 @@
 
 #include <pounding/linear/structure_solver.hpp>
 #include <pounding/stepping/links/link_set.hpp>
+#include <pounding/stepping/links/link_slips.hpp>
 #include <pounding/stepping/links/rigid_impacts.hpp>
 #include <pounding/stepping/pseudo_forces.hpp>
 #include <pounding/stepping/short_motions.hpp>
 #include <pounding/stepping/springs/elastic_ranges.hpp>
 #include <pounding/stepping/springs/spring_forces.hpp>
-#include <pounding/stepping/springs/spring_slips.hpp>
 #include <pounding/stepping/step_state.hpp>
 #include <pounding/stepping/support_excitation.hpp>
 
@@ -31,7 +31,7 @@ struct Equations {
   const LinkSet links;
   const SpringForces springs;
   ElasticRanges ranges;
-  const SpringSlips slips;
+  const LinkSlips slips;
   SupportExcitation supports;
   const ShortMotions short_motions;
   const PseudoForces pseudo_forces;

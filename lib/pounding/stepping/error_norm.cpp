@@ -56,7 +56,7 @@ ErrorNorm::ErrorNorm(const Equations& equations, const Scheme& scheme, double to
   scales_.velocity.assign(system.groups.size(), 0.0);
   rate_scale_.assign(static_cast<std::size_t>(links), 0.0);
   penetration_scale_.assign(static_cast<std::size_t>(links), 0.0);
-  stretch_scale_.assign(equations.slips.any() ? static_cast<std::size_t>(equations.links.springs()) : 0, 0.0);
+  stretch_scale_.assign(equations.slips.any() ? static_cast<std::size_t>(equations.slips.size()) : 0, 0.0);
   slow_velocity_.assign(system.groups.size(), 0.0);
   sums_.resize(sums_of_group * system.groups.size());
 }
@@ -79,8 +79,8 @@ double ErrorNorm::ratio(Trial& trial, const StepError& error, const std::vector<
       worst_link_ = i;
     }
   }
-  for (const int spring : equations_.slips.slipping()) {
-    const double own = slip_error(spring, trial, error.slip[spring]);
+  for (const int slip : equations_.slips.slipping()) {
+    const double own = slip_error(slip, trial, error.slip[slip]);
     if (own <= worst) continue;
     worst = own;
     worst_link_ = -1;
@@ -146,19 +146,19 @@ double ErrorNorm::contact_error(int contact, Eigen::Index row, const Trial& tria
   return std::max(std::abs(link_errors_(row, 0)) / scale_d, std::abs(link_errors_(row, 1)) / scale_r);
 }
 
-// Elongation of the spring in series with the dashpot, which determines its force.
-double ErrorNorm::stretch(int spring, const Instant& x) const {
-  const LinkMotion motion = equations_.links.motion(equations_.links.contacts() + spring, x);
+// Elongation of the spring in series with the dashpot or slider, which determines its force.
+double ErrorNorm::stretch(int slip, const Instant& x) const {
+  const LinkMotion motion = equations_.links.motion(equations_.links.contacts() + slip, x);
   return std::abs(motion.penetration - motion.slip);
 }
 
-double ErrorNorm::slip_error(int spring, const Trial& trial, double error) const {
+double ErrorNorm::slip_error(int slip, const Trial& trial, double error) const {
   const double part = std::max(min_contact_penetration, rounding / allowed_);
   double wide = 0;  // of the linked bodies
-  for (const int k : link_groups_[equations_.links.contacts() + spring])
+  for (const int k : link_groups_[equations_.links.contacts() + slip])
     wide += std::max(scales_.displacement[k], std::sqrt(trial.squares_u[k] / equations_.solver.group_masses()[k]));
   // Between two fixed ends, only the spring's own motion defines the scale.
-  const double scale = std::max({stretch_scale_[spring], stretch(spring, trial.end), part * wide});
+  const double scale = std::max({stretch_scale_[slip], stretch(slip, trial.end), part * wide});
   return scale > 0 ? std::abs(error) / scale : 0;
 }
 
@@ -204,8 +204,8 @@ void ErrorNorm::learn(const Trial& kept) {
   raise(scales_.velocity, kept.squares_v);
   if (equations_.short_motions.any())
     raise(slow_velocity_, kept.squares_slow);  // otherwise it equals the scale of the full velocity
-  for (const int spring : equations_.slips.slipping())
-    stretch_scale_[spring] = std::max(stretch_scale_[spring], stretch(spring, kept.end));
+  for (const int slip : equations_.slips.slipping())
+    stretch_scale_[slip] = std::max(stretch_scale_[slip], stretch(slip, kept.end));
 }
 
 void ErrorNorm::learn(int contact, const LinkMotion& end) {

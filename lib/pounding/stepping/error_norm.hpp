@@ -50,8 +50,8 @@ class ErrorNorm {
   void raise(std::vector<double>& scales, const std::vector<double>& squares) const;
   double group_error(Trial& trial, const StepError& error);
   double contact_error(int contact, Eigen::Index row, const Trial& trial) const;
-  double slip_error(int spring, const Trial& trial, double error) const;
-  double stretch(int spring, const Instant& x) const;
+  double slip_error(int slip, const Trial& trial, double error) const;
+  double stretch(int slip, const Instant& x) const;
 
   const Equations& equations_;
   const double allowed_by_tolerance_;  // relative error of one step
@@ -61,9 +61,9 @@ class ErrorNorm {
   // small motion behind would mask errors in it.
   std::vector<double> slow_velocity_;
   std::vector<double> rate_scale_, penetration_scale_;  // by link, of the current impact
-  std::vector<double> stretch_scale_;  // by spring with a dashpot: largest elongation of the spring in series with it
-  std::vector<double> rest_size_;      // by group, of ElasticForces::at_rest()
-  std::vector<std::vector<int>> link_groups_;  // groups that a link connects
+  std::vector<double> stretch_scale_;                   // by slip: largest elongation of the spring in series
+  std::vector<double> rest_size_;                       // by group, of ElasticForces::at_rest()
+  std::vector<std::vector<int>> link_groups_;           // groups that a link connects
   int worst_link_ = -1;
   std::vector<double> sums_;  // by group: squares of the errors in u and v, of u, v and slow v
   Eigen::MatrixXd errors_, link_errors_;

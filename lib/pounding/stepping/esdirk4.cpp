@@ -87,7 +87,7 @@ class Esdirk4Scheme final : public TimeScheme {
     link_accelerations_.resize(eq_.links.size(), stage_count);
     if (eq_.links.size() > 0) link_accelerations_.col(0) = x.relative.col(a);
     if (eq_.slips.any()) {
-      slip_rates_.resize(eq_.links.springs(), stage_count);
+      slip_rates_.resize(eq_.slips.size(), stage_count);
       slip_rates_.col(0) = eq_.slips.rates(x);
     }
     t.end.force = x.force;
@@ -163,10 +163,8 @@ class Esdirk4Scheme final : public TimeScheme {
   }
 
   void find_slip_rates(int i, const Stage& stage) {
-    slip_rates_.col(i).setZero();
-    for (std::size_t k = 0; k < solver_.active().size(); ++k)
-      if (const int link = solver_.active()[k]; eq_.slips.slips(link))
-        slip_rates_(link - eq_.links.contacts(), i) = eq_.links.spring(link).slip_rate(solver_.link_motion(stage, k));
+    eq_.slips.rates_of_stage(
+        solver_.active(), [&](std::size_t k) { return solver_.link_motion(stage, k); }, slip_rates_.col(i));
   }
 
   // Slips at the end of the step and their errors.
@@ -177,6 +175,7 @@ class Esdirk4Scheme final : public TimeScheme {
       t.end.slip += t.h * esdirk4::a[stage_count - 1][j] * slip_rates_.col(j);
       error.slip += t.h * esdirk4::error.velocity[j] * slip_rates_.col(j);
     }
+    eq_.slips.keep_friction_rates(slip_rates_.col(stage_count - 1), t.end);
   }
 
   // Defect of stage i relative to the short ground motions, whose values at the stage are `motion`. Stores their
@@ -231,7 +230,7 @@ class Esdirk4Scheme final : public TimeScheme {
   Eigen::MatrixXd by_ground_;
   Eigen::MatrixXd stages_;               // three columns per stage: acceleration, K times it and C times it
   Eigen::MatrixXd link_accelerations_;   // closing accelerations, [link, stage]
-  Eigen::MatrixXd slip_rates_;           // [spring, stage]; empty if none slips
+  Eigen::MatrixXd slip_rates_;           // [slip, stage]; empty if none slips
   Eigen::MatrixXd short_accelerations_;  // of the short ground motions, [motion, stage]
   GroundDefect missed_;                  // of the current stage
   Eigen::VectorXd guess_, free_displacement_;

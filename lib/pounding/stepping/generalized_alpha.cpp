@@ -78,7 +78,7 @@ class GeneralizedAlphaScheme final : public TimeScheme {
     else
       std::fill_n(t.end.force.data(), t.end.force.size(), 0.0);
     const Stage stage{beta * h * h, gamma * h, alpha_f};
-    if (eq_.slips.any()) slip_free_ = x.slip + 0.5 * h * eq_.slips.rates(x);
+    if (eq_.slips.any()) slip_free_ = x.slip + 0.5 * h * eq_.slips.smooth_rates(x);
     const auto free_motion = [&, beta = beta, gamma = gamma, alpha_m = alpha_m, alpha_f = alpha_f](int i, double g,
                                                                                                    LinkMotion& motion) {
       const double sa = x.relative(i, a), s = carries ? sa + part * (x.relative(i, carried) - sa) : sa;
@@ -135,7 +135,7 @@ class GeneralizedAlphaScheme final : public TimeScheme {
     else
       eq_.multiply(t.end, u, 3);
     eq_.gather(t.end);
-    if (eq_.slips.any()) finish_slips(stage, h, t);
+    if (eq_.slips.any()) finish_slips(x, stage, h, t);
     if (!eq_.balance_middle(x, t)) return false;
 
     error.u.setZero();
@@ -150,12 +150,13 @@ class GeneralizedAlphaScheme final : public TimeScheme {
 
  private:
   // Trapezoidal rule, of second order like the scheme.
-  void finish_slips(const Stage& stage, double h, Trial& t) const {
-    t.end.slip = slip_free_;
-    for (std::size_t k = 0; k < stages_.active().size(); ++k)
-      if (const int link = stages_.active()[k]; eq_.slips.slips(link))
-        t.end.slip[link - eq_.links.contacts()] +=
-            0.5 * h * eq_.links.spring(link).slip_rate(stages_.link_motion(stage, k));
+  void finish_slips(const Instant& x, const Stage& stage, double h, Trial& t) {
+    slip_rates_.resize(eq_.slips.size());
+    eq_.slips.rates_of_stage(
+        stages_.active(), [&](std::size_t k) { return stages_.link_motion(stage, k); }, slip_rates_);
+    t.end.slip = slip_free_ + 0.5 * h * slip_rates_;
+    eq_.slips.keep_friction_rates(slip_rates_, t.end);
+    eq_.slips.average_sliding_rates(x, t);
   }
 
   // Computes the acceleration from dynamic equilibrium with the link forces of the scheme, in addition to the carried
@@ -179,7 +180,7 @@ class GeneralizedAlphaScheme final : public TimeScheme {
   Eigen::MatrixXd begin_;  // if the scheme carries a separate acceleration: [coordinate, a K a C a]
   GroundDefect missed_;    // of the short ground motions
   Eigen::VectorXd guess_, free_displacement_;
-  Eigen::VectorXd slip_free_;  // slip of each spring without its rate at the end; empty if none slips
+  Eigen::VectorXd slip_free_, slip_rates_;  // slips without their rates at the end, and these; empty if none slips
 };
 
 }  // namespace

@@ -56,7 +56,8 @@ struct Instant {
   Eigen::MatrixXd relative;        ///< B^T of the motion, [link, u v a carried]
   Eigen::MatrixXd by_ground;       ///< relative motion due to ground and gravity, [link, u v a]; empty if there is none
   Eigen::VectorXd pseudo_force;    ///< see PseudoForces, [coordinate]; empty if there is none
-  Eigen::VectorXd slip;            ///< LinkMotion::slip of every spring; empty if none slips
+  Eigen::VectorXd slip;            ///< LinkMotion::slip of every spring and friction; empty if none slips (LinkSlips)
+  Eigen::VectorXd friction_slip_rate;  ///< of the same size: rates of the slip of friction, zero for springs [m/s]
   // Empty unless springs have relief (SpringRelief):
   Eigen::VectorXd relief;         ///< S F of every spring [m]
   Eigen::VectorXd spring_slopes;  ///< dF/dd of every spring in the step that ends here [N/m]
@@ -68,8 +69,8 @@ struct Instant {
 
   /// Writes or reads all members.
   void archive(Archive& archive) {
-    archive(time, ground, ground_carried, motion, force, relative, by_ground, pseudo_force, slip, relief, spring_slopes,
-            force_rates);
+    archive(time, ground, ground_carried, motion, force, relative, by_ground, pseudo_force, slip, friction_slip_rate,
+            relief, spring_slopes, force_rates);
   }
 };
 
@@ -109,8 +110,8 @@ struct Trial {
   }
 };
 
-/// Estimated errors of a trial in displacement and velocity [coordinate], and in the slip of every spring; `slip` is
-/// empty if none slips.
+/// Estimated errors of a trial in displacement and velocity [coordinate], and in the slips (LinkSlips); `slip` is empty
+/// if none slips.
 struct StepError {
   Eigen::VectorXd u, v;
   Eigen::VectorXd slip{};

@@ -12,7 +12,12 @@
 namespace pounding {
 namespace {
 
-const StepperOptions& checked(const StepperOptions& options) {
+// The trapezoidal rule of generalized-alpha misses reversals of the slip within a step.
+const StepperOptions& checked(const System& system, const StepperOptions& options) {
+  if (options.scheme.kind != Scheme::Kind::esdirk4 &&
+      std::any_of(system.frictions.begin(), system.frictions.end(), [](const Friction& f) { return f.is_compliant(); }))
+    throw std::invalid_argument(
+        "friction with a tangential stiffness was given with the integrator generalized_alpha; it needs esdirk4");
   GeneralizedAlpha::of(options.scheme.spectral_radius);
   if (!(options.tolerance > 0 && options.tolerance < 1)) throw std::invalid_argument("tolerance must lie in (0, 1)");
   if (!(options.max_step > 0)) throw std::invalid_argument("max_step must be positive");
@@ -31,7 +36,7 @@ std::unique_ptr<TimeScheme> make_scheme(const Scheme& scheme, Equations& equatio
 }  // namespace
 
 Stepper::Stepper(const System& system, StructureSolver& solver, const StepperOptions& options)
-    : options_(checked(options)),
+    : options_(checked(system, options)),
       equations_(system, solver, carries_acceleration(options.scheme)),
       dyadic_(system, options.max_step),
       norm_(equations_, options.scheme, options.tolerance),
@@ -154,6 +159,19 @@ std::optional<double> Stepper::locate_event(bool at_corners) {
   return found->step;
 }
 
+std::vector<double> Stepper::friction_stored() const {
+  const LinkSet& links = equations_.links;
+  const Instant& now = history_.now();
+  std::vector<double> stored;
+  for (const Friction& friction : links.frictions()) {
+    Sliding force{};
+    for (int j = 0; j < friction.count; ++j) force[j] = now.force[friction.first + j];
+    stored.push_back(
+        stored_energy(friction, links.contact(friction.contact), links.motion(friction.contact, now), force));
+  }
+  return stored;
+}
+
 bool Stepper::in_contact() const {
   const std::vector<Contact*>& contacts = equations_.system.contacts;
   return std::any_of(contacts.begin(), contacts.end(),
@@ -212,6 +230,7 @@ void Stepper::describe_springs() const {
 }
 
 void Stepper::accept() {
+  if (equations_.slips.any()) equations_.slips.release(history_.trial().end);
   history_.keep_trial();
   output_.step_accepted();
   const LinkSet& links = equations_.links;

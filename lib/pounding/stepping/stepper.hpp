@@ -132,8 +132,10 @@ class Stepper {
   /// Motion of a link at the present state.
   LinkMotion link_motion(int link) const { return equations_.links.motion(link, history_.now()); }
   Energies energies() const { return ledger_.energies(equations_, history_.now()); }
-  /// Energy dissipated by each friction element of the system [J].
+  /// Work done on each friction element of the system, lost and stored [J].
   const std::vector<double>& friction_work() const { return ledger_.friction(); }
+  /// Energy that the tangential springs of each friction element store at the present state [J].
+  std::vector<double> friction_stored() const;
   bool in_contact() const;
   /// Link with the largest error in the last trial, or at which it could not be solved; -1 if none.
   int troublesome_link() const { return troublesome_link_; }

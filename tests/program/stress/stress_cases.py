@@ -264,6 +264,18 @@ def hinged(chance):
     return case
 
 
+def sticking(chance, coefficient):
+    """Friction with a tangential stiffness, a ratio more often than a constant one."""
+    friction = {"coefficient": coefficient}
+    if chance.random() < 0.6:
+        friction["tangential_ratio"] = chance.uniform(0.3, 1.2)
+    else:
+        friction["tangential_stiffness"] = decades(chance, 6, 9)
+    if chance.random() < 0.4:
+        friction |= {"static": coefficient * chance.uniform(1, 1.6), "stribeck_velocity": decades(chance, -3, -1)}
+    return friction
+
+
 def rubbing(chance):
     """Two plane frames under horizontal and vertical ground motion with friction at their links; the members usually yield."""
     case = hinged(chance) if chance.random() < 0.7 else frames(chance)
@@ -271,6 +283,8 @@ def rubbing(chance):
         own["friction"] = chance.choice([0.05, 0.2, 0.3, 0.6])
         if chance.random() < 0.3:
             own["sliding_velocity"] = decades(chance, -3, -1.5)
+        elif chance.random() < 0.5:
+            own["friction"] = sticking(chance, own["friction"])
     return case | {"vertical": quake(chance)}
 
 

@@ -32,7 +32,8 @@ constexpr auto without_laws =
       mass_proportional, stiffness_proportional, modal, force, force_harmonic, force_sum_part, force_pulse, step_force,
       frame, material, cross_section, i_section, tube, grid, bay_width, combination, member, releases, offsets, support,
       support_springs, support_dashpots, isolator, floor, node_masses, node_loads, node_displacements, spring, tie,
-      hinge, report, link, link_end, stiffness, device, own_device, bar, damper, analysis, reduction, checkpoint);
+      hinge, report, link, link_end, link_friction, stiffness, device, own_device, bar, damper, analysis, reduction,
+      checkpoint);
 
 }  // namespace
 

@@ -17,6 +17,26 @@ constexpr auto law_names = [] {
   return names;
 }();
 
+constexpr Key friction_keys[] = {
+    {"coefficient", number(bounds::non_negative), required, "Coulomb coefficient of sliding friction.", "0.3", "0.3.0"},
+    {"static", number(bounds::non_negative), otherwise("like coefficient"),
+     "Coefficient at rest, at least that of sliding; requires stribeck_velocity and a tangential stiffness. At the "
+     "sliding velocity v the coefficient is sliding + (static - sliding) exp(-v/stribeck_velocity).",
+     "0.4", "0.3.0"},
+    {"stribeck_velocity", quantity(dimension::velocity, bounds::positive), otherwise("none; required with static"),
+     "Velocity over which the coefficient decays from static to sliding friction.", "10 mm/s", "0.3.0"},
+    {"tangential_stiffness", quantity(dimension::stiffness, bounds::positive),
+     otherwise("none: the contact does not stick; see sliding_velocity"),
+     "Constant stiffness of the contact along its plane until it slips. Give one of tangential_stiffness, "
+     "tangential_ratio and poisson.",
+     "50 MN/m", "0.3.0"},
+    {"tangential_ratio", number(bounds::positive), otherwise("none"),
+     "Tangential stiffness as a multiple of the slope of the law at the current penetration in slow loading.", "0.85",
+     "0.3.0"},
+    {"poisson", number(0, 0.5), otherwise("none"),
+     "Poisson's ratio nu of both bodies, for the tangential_ratio of Mindlin, 2 (1 - nu)/(2 - nu).", "0.2", "0.3.0"},
+};
+
 constexpr Key link_keys[] = {
     {"between", text().or_map(link_end).list(2).or_one_of(neighbours), required,
      "The two structures, the left one first; A.3 is floor 3 of A, counted from the ground up. An end may be a map "
@@ -58,10 +78,13 @@ constexpr Key link_keys[] = {
      "Number of contact points along the common edge of two floors in space, including its ends. Each uses the given "
      "parameters of the law and its share of the masses.",
      "2"},
-    {"friction", number(bounds::non_negative), otherwise("0"),
-     "Coulomb friction coefficient in the contact plane; for frames and for laws with a contact force.", "0.3"},
+    {"friction", number(bounds::non_negative).or_map(link_friction), otherwise("0"),
+     "Coulomb friction coefficient in the contact plane; for frames and for laws with a contact force. A map adds "
+     "static friction and a tangential stiffness, with which the contact sticks.",
+     "0.3"},
     {"sliding_velocity", quantity(dimension::velocity, bounds::positive), otherwise("5 mm/s"),
-     "Velocity s that smooths the friction force: F_t = mu F_n v_t/sqrt(v_t^2 + s^2).", "5 mm/s"},
+     "Velocity s that smooths the friction force without a tangential stiffness: F_t = mu F_n v_t/sqrt(v_t^2 + s^2).",
+     "5 mm/s"},
     {"law", choice(law_names), required,
      "Contact law; its parameters are keys of the link. `pounding laws` lists them.", "hertz_damped"},
     {"formula", text(), otherwise("exact"),
@@ -126,6 +149,9 @@ constexpr Key stiffness_keys[] = {
 constinit const Section link{"links", "links[]",
                              "Link between two structures. The parameters of its law are further keys.", link_keys};
 constinit const Section link_end{"between", "links[].between[]", "End of a link.", link_end_keys};
+
+constinit const Section link_friction{"friction", "links[].friction",
+                                      "Friction along a contact that sticks until it slips.", friction_keys};
 
 constinit const Section stiffness{
     "stiffness", "links[].stiffness",

@@ -41,7 +41,7 @@ std::vector<const Section*> laws_of_isolators();
 std::vector<const Section*> laws_of_devices();
 
 /// Links without the parameters of laws, link ends and stiffness estimates: links.cpp.
-extern const Section link, link_end, stiffness;
+extern const Section link, link_end, link_friction, stiffness;
 
 /// Keys of a link with this law: the keys of `link`, then the parameters of the law in the order of its table.
 const Section& link_with(const laws::Entry& law);

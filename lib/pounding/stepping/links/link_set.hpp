@@ -83,13 +83,19 @@ class LinkSet {
     }
     motion.penetration = deformation(link, relative_displacement);
     motion.rate = rate;
-    motion.slip = x.slip.size() > 0 && is_spring(link) ? x.slip[link - contacts_] : 0;
+    motion.slip = x.slip.size() > 0 && link >= contacts_ ? x.slip[link - contacts_] : 0;
     motion.lag = 0;
   }
   /// Force and slopes of a contact or a spring.
   laws::Response law(int link, const LinkMotion& motion) const {
     return link < contacts_ ? system_.contacts[link]->evaluate(motion)
                             : system_.springs[link - contacts_]->evaluate(motion);
+  }
+
+  /// Force and slopes of friction at this motion and response of its contact.
+  FrictionForce friction(const Friction& friction, const LinkMotion& normal, const laws::Response& response,
+                         const TangentialMotion& along) const {
+    return friction_force(friction, *system_.contacts[friction.contact], normal, response, along);
   }
 
   /// True if the link may have a force in its current phase: contacts that press, their friction, all springs.

@@ -115,9 +115,12 @@ FrictionForce LinkSolver::slide(const CondensedLinks& links, const Slider& slide
   const auto rate = [&](int k) { return links.free[k].rate - by_v * relief[k]; };
   const LinkMotion contact{links.free[slider.contact].penetration - by_u * relief[slider.contact],
                            rate(slider.contact)};
-  Sliding rates{};
-  for (int j = 0; j < slider.friction->count; ++j) rates[j] = rate(slider.first + j);
-  return friction_force(*slider.friction, links_.law(links.active[slider.contact], contact), rates);
+  TangentialMotion along;
+  for (int j = 0; j < slider.friction->count; ++j) {
+    const int k = slider.first + j;
+    along.set(j, relieved(links.free[k], by_u * relief[k], by_v * relief[k]));
+  }
+  return links_.friction(*slider.friction, contact, links_.law(links.active[slider.contact], contact), along);
 }
 
 // Solves the directions of a friction element in turn by bisection, with all other forces fixed.
@@ -182,13 +185,17 @@ double LinkSolver::residual(const CondensedLinks& links, const Eigen::VectorXd& 
       residual_[i] = answer.force[j] - x[i];
       for (int k = 0; k < slider.friction->count; ++k) {
         const int other = slider.first + k;
-        terms_ = std::max(terms_, std::abs(answer.by_sliding[j][k]) *
-                                      std::max(std::abs(links.free[other].rate), std::abs(by_v * relief_[other])));
+        terms_ = std::max({terms_,
+                           std::abs(answer.by_sliding[j][k]) *
+                               std::max(std::abs(links.free[other].rate), std::abs(by_v * relief_[other])),
+                           std::abs(answer.by_displacement[j][k]) *
+                               std::max(std::abs(links.free[other].penetration), std::abs(by_u * relief_[other]))});
       }
       if (!with_slopes) continue;
       slopes_.row(i) = (by_u * answer.by_penetration[j] + by_v * answer.by_rate[j]) * g.row(slider.contact);
       for (int k = 0; k < slider.friction->count; ++k)
-        slopes_.row(i) += by_v * answer.by_sliding[j][k] * g.row(slider.first + k);
+        slopes_.row(i) +=
+            (by_u * answer.by_displacement[j][k] + by_v * answer.by_sliding[j][k]) * g.row(slider.first + k);
       slopes_(i, i) += 1;
     }
   }
