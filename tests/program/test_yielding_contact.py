@@ -129,7 +129,7 @@ class YieldingContact(ProgramTest):
             models = {
                 "storey": f"shear_building: {{storeys: 1, mass: 100 t, stiffness: 20 MN/m, spring: {{multilinear_elastic: {{{curve}}}}}}}",
                 "device": "shear_building: {storeys: 1, mass: 100 t, stiffness: 1 N/m, devices: {d: {storey: 1, "
-                f"multilinear_elastic: {{{curve}}}}}}}",
+                f"multilinear_elastic: {{{curve}}}}}}}}}",
             }
             for kind, structure in models.items():
                 with self.subTest(force=force, kind=kind):

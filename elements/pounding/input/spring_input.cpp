@@ -56,8 +56,8 @@ std::map<std::string, std::string, std::less<>> read_choices(const Input& law, c
 Input location_of(const std::string& refusal, const Input& law, const hysteresis::Entry& entry) {
   const std::string_view first = laws::parameter_name(std::string_view(refusal).substr(0, refusal.find(' ')));
   for (const hysteresis::ParameterInfo& parameter : entry.parameters)
-    if (parameter.name == first)
-      if (const auto found = law.find(parameter.name)) return *found;
+    if (parameter.name == first && law.knows(first))
+      if (const auto found = law.find(first)) return *found;
   return law;
 }
 
