@@ -63,9 +63,10 @@ CLI::Option* is_report(CLI::Option* option) {
   return option->check(
       [](const std::string& name) {
         return is_pdf(name) || is_html(name) ? ""
-                                             : fmt::format("\"{}\" is not the name of a report; type a name that ends "
-                                                           "in .pdf or .html, such as report.pdf",
-                                                           excerpt(name));
+                                             : fmt::format(
+                                                   "\"{}\" is not the name of a report; type a name that ends "
+                                                   "in .pdf or .html, such as report.pdf",
+                                                   excerpt(name));
       },
       "");
 }

@@ -34,7 +34,8 @@ SpringSummary hinge(const std::string& name, double ductility, double plastic) {
 }
 
 TEST(ComparedMembers, AreTheLargerOfBothEnds) {
-  const auto rows = compare_members(frame({1, -20, -5, 10, 100, 200, 50, -400}), frame({2, 5, -1, -10, 50, 100, 25, 100}));
+  const auto rows =
+      compare_members(frame({1, -20, -5, 10, 100, 200, 50, -400}), frame({2, 5, -1, -10, 50, 100, 25, 100}));
   ASSERT_EQ(rows.size(), 4);
   EXPECT_EQ(rows[0].member + rows[0].component, "beamVz");
   EXPECT_EQ(rows[0].force.with, 5);

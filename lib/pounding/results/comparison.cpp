@@ -132,8 +132,8 @@ std::string floors_text(const Summary& summary, std::size_t width, bool comparab
     }
   }
   if (rows.empty()) return {};
-  text = fmt::format("{:<{}}  floor{:>32}{:>32}{:>32}\n", "structure", width, "drift (mm)",
-                     "acceleration (m/s^2)", "storey shear (kN)");
+  text = fmt::format("{:<{}}  floor{:>32}{:>32}{:>32}\n", "structure", width, "drift (mm)", "acceleration (m/s^2)",
+                     "storey shear (kN)");
   text += fmt::format("{:<{}}       ", "", width);
   for (int i = 0; i < 3; ++i) text += fmt::format("  {:>10}  {:>10}  {:>6}", "with", "without", "ratio");
   return text + '\n' + rows;
@@ -170,10 +170,9 @@ std::string members_text(const Ranked<MemberComparison>& rows, const char* headi
 std::string parts_text(const Ranked<PartComparison>& rows, const char* heading, std::size_t width,
                        std::size_t name_width, bool comparable) {
   if (rows.empty()) return {};
-  std::string text =
-      fmt::format("{:<{}}  {:<{}}{:>32}{:>32}  {}\n", "structure", width, "part", name_width, "ductility",
-                  "plastic (mm, mrad)", heading) +
-      fmt::format("{:<{}}  {:<{}}", "", width, "", name_width);
+  std::string text = fmt::format("{:<{}}  {:<{}}{:>32}{:>32}  {}\n", "structure", width, "part", name_width,
+                                 "ductility", "plastic (mm, mrad)", heading) +
+                     fmt::format("{:<{}}  {:<{}}", "", width, "", name_width);
   for (int i = 0; i < 2; ++i) text += fmt::format("  {:>10}  {:>10}  {:>6}", "with", "without", "ratio");
   text += '\n';
   for (const auto& [structure, row] : rows)
@@ -225,7 +224,8 @@ std::vector<MemberComparison> worst_by_ratio(std::vector<MemberComparison> membe
 }
 
 std::vector<PartComparison> worst_by_ratio(std::vector<PartComparison> parts) {
-  std::erase_if(parts, [](const PartComparison& row) { return !(row.ductility.with > 1) || std::isnan(row.ductility.ratio()); });
+  std::erase_if(
+      parts, [](const PartComparison& row) { return !(row.ductility.with > 1) || std::isnan(row.ductility.ratio()); });
   return largest(std::move(parts), [](const PartComparison& row) { return row.ductility.ratio(); });
 }
 
@@ -269,12 +269,13 @@ std::string comparison_table(const Summary& summary) {
   const auto by_demand = [](auto rows) { return worst_by_demand(std::move(rows)); };
   std::vector<std::string> tables{floors_text(summary, width, comparable)};
   if (comparable)
-    tables.push_back(members_text(ranked<MemberComparison>(summary, compare_members, by_ratio,
-                                                           [](const MemberComparison& row) { return row.force.ratio(); }),
-                                  "largest ratios", width, member_width, comparable));
-  tables.push_back(members_text(
-      ranked<MemberComparison>(summary, compare_members, by_demand, [](const MemberComparison& row) { return row.demand; }),
-      "largest forces", width, member_width, comparable));
+    tables.push_back(
+        members_text(ranked<MemberComparison>(summary, compare_members, by_ratio,
+                                              [](const MemberComparison& row) { return row.force.ratio(); }),
+                     "largest ratios", width, member_width, comparable));
+  tables.push_back(members_text(ranked<MemberComparison>(summary, compare_members, by_demand,
+                                                         [](const MemberComparison& row) { return row.demand; }),
+                                "largest forces", width, member_width, comparable));
   if (comparable)
     tables.push_back(parts_text(ranked<PartComparison>(summary, compare_parts, by_ratio,
                                                        [](const PartComparison& row) { return row.ductility.ratio(); }),

@@ -100,7 +100,14 @@ def motions_table(model: dict[str, Any]) -> Table:
     for name, structure in model.get("structures", {}).items():
         motions += [(name, one) for one in structure.get("ground", [])]
     rows = [
-        [one["source"], name, one["direction"], number(one["peak"]), number(one["peak"], GRAVITY), number(one["duration"])]
+        [
+            one["source"],
+            name,
+            one["direction"],
+            number(one["peak"]),
+            number(one["peak"], GRAVITY),
+            number(one["duration"]),
+        ]
         for name, one in motions
     ]
     rows, note = cut(rows, ROWS, "motions")

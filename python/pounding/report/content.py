@@ -42,11 +42,7 @@ def _blocks(run: RunData, spectra: Sequence[Spectrum]) -> Iterator[Heading | Par
     model = summary.get("model", {})
     yield Paragraph(verdict({**summary, "status": run.status}), emphasis=True)
     if run.structures:
-        yield Picture(
-            lambda figure, box: model_drawing(figure, box, run),
-            _caption(run),
-            62,
-        )
+        yield Picture(lambda figure, box: model_drawing(figure, box, run), _caption(run), 62)
     yield Heading("Assumptions")
     yield from _filled(
         assumptions.structures_table(model), assumptions.contacts_table(model), assumptions.devices_table(model)
@@ -98,7 +94,9 @@ def _caption(run: RunData) -> str:
     marks = ", ".join(f"{mark} are {kind}" for mark, (kind, exists) in kinds.items() if exists)
     text = "Model at rest" + (f": {marks}." if marks else ".")
     if has_drifts(run):
-        text += " Right: extremes of the storey drift" + (", dashed without links." if run.no_pounding is not None else ".")
+        text += " Right: extremes of the storey drift" + (
+            ", dashed without links." if run.no_pounding is not None else "."
+        )
     return text
 
 

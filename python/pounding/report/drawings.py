@@ -110,7 +110,9 @@ def _draw_parts(axes: Axes, scene: Scene, view: str) -> None:
         if found:
             at = project(np.array(found), view)
             face = {"^": "0.25", "o": "white", "s": ORANGE}[marker]
-            axes.scatter(at[:, 0], at[:, 1], s=12, marker=marker, facecolor=face, edgecolor="0.25", linewidth=0.5, zorder=5)
+            axes.scatter(
+                at[:, 0], at[:, 1], s=12, marker=marker, facecolor=face, edgecolor="0.25", linewidth=0.5, zorder=5
+            )
     for device in scene.run.devices.values():
         ends = _ends(scene, device)
         if ends is not None:
@@ -142,12 +144,13 @@ def motion_drawing(figure: Figure, box: Box, run: RunData, spectra: Sequence[Spe
     axes.set_ylabel("Ground [g]")
     _small(axes, len(shaking))
     if spectra:
-        axes = axes_in(
-            figure, (box[0] + share * box[2], box[1], (1 - share) * box[2], box[3]), (0.5, 0.4, 0.12, 0.1)
-        )
+        axes = axes_in(figure, (box[0] + share * box[2], box[1], (1 - share) * box[2], box[3]), (0.5, 0.4, 0.12, 0.1))
         for spectrum in spectra:
             axes.plot(
-                spectrum.period, spectrum.psa / GRAVITY, color=COLOURS.get(spectrum.name, BLUE), label=f"along {spectrum.name}"
+                spectrum.period,
+                spectrum.psa / GRAVITY,
+                color=COLOURS.get(spectrum.name, BLUE),
+                label=f"along {spectrum.name}",
             )
         axes.set(xlim=(0, spectra[0].period[-1]), xlabel="Period [s]", ylabel="Spectrum [g]")
         axes.set_ylim(bottom=0)

@@ -101,7 +101,7 @@ class _Layout:
 
     def __init__(self) -> None:
         self.pages: list[list[Draw]] = [[]]
-        self.y = MARGIN  # lower edge of what is placed [mm]
+        self.y = MARGIN  # lower edge of the last block [mm]
         self.bottom = HEIGHT - MARGIN - FOOTER + 6
         self.width = WIDTH - 2 * MARGIN
         self.measure = _measure()
@@ -120,7 +120,7 @@ class _Layout:
         self.y += 3
 
     def add(self, block: Heading | Paragraph | Table | Picture, following: object) -> None:
-        """Places one block; a heading stays with what follows."""
+        """Places one block; a heading stays on the page of its first block."""
         if isinstance(block, Heading):
             more = self.height(following) if isinstance(following, (Picture, Table)) else 10.0
             self.need(8 + more)
@@ -172,7 +172,7 @@ class _Layout:
         return lines
 
     def pieces(self, word: str, size: float, bold: bool, width: float) -> list[str]:
-        """A word, or parts of it that fit: names without spaces, and texts in Chinese or Japanese."""
+        """Pieces of a text without spaces that fit the width: long names, and texts in Chinese or Japanese."""
         pieces = [""]
         for letter in word:
             if pieces[-1] and self.measure(pieces[-1] + letter, size, bold) > width:
@@ -210,7 +210,10 @@ class _Layout:
         widths = self.widths(block)
         pitch = TABLE * POINT * PITCH
         rows = [
-            [self.wrap(cell, TABLE, False, width, CELL_LINES) if block.is_text(i) else [cell] for i, (cell, width) in enumerate(zip(row, widths))]
+            [
+                self.wrap(cell, TABLE, False, width, CELL_LINES) if block.is_text(i) else [cell]
+                for i, (cell, width) in enumerate(zip(row, widths))
+            ]
             for row in block.rows
         ]
         head = (1 + bool(block.groups) + bool(block.caption)) * pitch + 2.5
@@ -257,7 +260,9 @@ class _Layout:
     def widths(self, block: Table) -> list[float]:
         """Widths of the columns [mm]: those of their texts, with wide text columns narrowed to fit the page."""
         widths = [
-            max(self.measure(block.columns[i], TABLE, True), *(self.measure(row[i], TABLE, False) for row in block.rows))
+            max(
+                self.measure(block.columns[i], TABLE, True), *(self.measure(row[i], TABLE, False) for row in block.rows)
+            )
             for i in range(len(block.columns))
         ]
         first = 0
@@ -280,8 +285,22 @@ class _Layout:
 def _box(figure: Figure, x: float, y: float, width: float, height: float) -> None:
     """A shaded box with a mark at its left edge."""
     figure.add_artist(
-        Rectangle((x / WIDTH, 1 - (y + height) / HEIGHT), width / WIDTH, height / HEIGHT, facecolor="#faf3ee", edgecolor="none", zorder=0)
+        Rectangle(
+            (x / WIDTH, 1 - (y + height) / HEIGHT),
+            width / WIDTH,
+            height / HEIGHT,
+            facecolor="#faf3ee",
+            edgecolor="none",
+            zorder=0,
+        )
     )
     figure.add_artist(
-        Rectangle((x / WIDTH, 1 - (y + height) / HEIGHT), 1.0 / WIDTH, height / HEIGHT, facecolor=VERMILION, edgecolor="none", zorder=0)
+        Rectangle(
+            (x / WIDTH, 1 - (y + height) / HEIGHT),
+            1.0 / WIDTH,
+            height / HEIGHT,
+            facecolor=VERMILION,
+            edgecolor="none",
+            zorder=0,
+        )
     )

@@ -25,7 +25,7 @@ def floors_table(summary: dict[str, Any]) -> Table:
             places.append((name, floor))
             for found, column_values in zip(quantities, values):
                 column_values.append(found.get(floor, (None, None, None)))
-    # A structure whose worst storey matters most must not be cut: rows with the largest changes are kept.
+    # Rows with the largest changes are kept.
     kept, note = list(range(len(places))), ""
     if len(places) > FLOORS:
         changes = [max((abs((v[i][2] or 1) - 1) for v in values), default=0) for i in range(len(places))]
@@ -40,9 +40,7 @@ def floors_table(summary: dict[str, Any]) -> Table:
         columns.append(both[::2])
         if comparison:
             columns += [both[1::2], [ratio(pair[2]) for pair in chosen]]
-    rows = [
-        [places[i][0], str(places[i][1]), *(cells[row] for cells in columns)] for row, i in enumerate(kept)
-    ]
+    rows = [[places[i][0], str(places[i][1]), *(cells[row] for cells in columns)] for row, i in enumerate(kept)]
     names = ["drift (mm)", "acceleration (m/s²)", "storey shear (kN)"]
     if not comparison:
         return Table(["structure", "floor", *names], rows, "Largest responses", note=note)
@@ -171,14 +169,25 @@ def links_table(summary: dict[str, Any]) -> Table:
         column([gaps.get(one["name"]) for one in links], 1e-3),
         column([(needed.get(one["name"]) or {}).get("enough") for one in links], 1e-3),
         [str(one["impacts"]) for one in links],
-        [NONE if one["peak_force"] is None else text for one, text in zip(links, column([one["peak_force"] for one in links], 1e3))],
+        [
+            NONE if one["peak_force"] is None else text
+            for one, text in zip(links, column([one["peak_force"] for one in links], 1e3))
+        ],
         column([one["peak_penetration"] for one in links], 1e-3),
         column([one["energy_lost"] for one in links], 1e3),
     ]
     if any(one["peak_force"] is None for one in links):
         note = "; ".join(filter(None, [note, "rigid impacts have no finite force"]))
     return Table(
-        ["link", "gap (mm)", "sufficient gap (mm)", "impacts", "peak force (kN)", "penetration (mm)", "energy lost (kJ)"],
+        [
+            "link",
+            "gap (mm)",
+            "sufficient gap (mm)",
+            "impacts",
+            "peak force (kN)",
+            "penetration (mm)",
+            "energy lost (kJ)",
+        ],
         [[one["name"], *(column_cells[i] for column_cells in cells)] for i, one in enumerate(links)],
         "Links",
         note=note,
@@ -187,9 +196,7 @@ def links_table(summary: dict[str, Any]) -> Table:
 
 def impacts_table(summary: dict[str, Any]) -> Table:
     """The strongest impacts."""
-    impacts = sorted(
-        summary.get("impacts", []), key=lambda one: (-(one["peak_force"] or 0), -(one["impulse"] or 0))
-    )
+    impacts = sorted(summary.get("impacts", []), key=lambda one: (-(one["peak_force"] or 0), -(one["impulse"] or 0)))
     count = len(impacts)
     impacts = impacts[:IMPACTS]
     cells = [
@@ -210,7 +217,9 @@ def impacts_table(summary: dict[str, Any]) -> Table:
 def energy_table(summary: dict[str, Any]) -> Table:
     """Energies at the end of the run, with their balance."""
     energy = summary.get("energy", {})
-    terms = [key for key in ("input", "kinetic", "strain", "damping", "hysteretic", "impact", "devices") if key in energy]
+    terms = [
+        key for key in ("input", "kinetic", "strain", "damping", "hysteretic", "impact", "devices") if key in energy
+    ]
     return Table(
         [f"{key} (kJ)" for key in terms] + ["largest imbalance (% of input)"],
         [[*(number(energy[key], 1e3, 4) for key in terms), number(energy.get("error"), 1e-2)]],

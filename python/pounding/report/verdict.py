@@ -18,9 +18,9 @@ def verdict(summary: dict[str, Any]) -> str:
     contact."""
     status = summary.get("status", "")
     if status.startswith("failed"):
-        return f"The run failed, so there is no verdict: {status.partition(': ')[2] or 'the reason is not known'}."
+        return f"No verdict, because the run failed: {status.partition(': ')[2] or 'the reason is not known'}."
     if status == "running":
-        return "The run is not complete, so there is no verdict."
+        return "No verdict, because the run is not complete."
     sentences = [_gap(summary)]
     if worst := _worst(summary):
         sentences[0] = f"{sentences[0]}; {worst}"
@@ -46,9 +46,11 @@ def _gap(summary: dict[str, Any]) -> str:
         if count == 0:
             return "no contact: no link closes"
         where = max(links, key=lambda one: one["peak_force"] or 0)
-        force = f", largest force {number(where['peak_force'], 1e3)} kN at {where['name']}" if where["peak_force"] else ""
+        force = (
+            f", largest force {number(where['peak_force'], 1e3)} kN at {where['name']}" if where["peak_force"] else ""
+        )
         return f"contact: {_impacts(count)}{force}; type compare: no_pounding for the sufficient gap"
-    # The gap of the link that lacks most is compared with what this link needs.
+    # The link with the largest difference between the sufficient and the present gap.
     lacking = max(known, key=lambda one: one["enough"] - one["gap"])
     gap, needed, place = (
         f"{number(lacking['gap'], 1e-3)} mm",
@@ -69,7 +71,9 @@ def _impacts(count: int) -> str:
 def _worst(summary: dict[str, Any]) -> str:
     """The member and the yielding part with the largest increase by contact; empty if nothing increases notably."""
     comparison = summary.get("comparison") or {}
-    members = [(name, row) for name, one in comparison.items() for row in (one.get("members") or {}).get("by_ratio", [])]
+    members = [
+        (name, row) for name, one in comparison.items() for row in (one.get("members") or {}).get("by_ratio", [])
+    ]
     parts = [(name, row) for name, one in comparison.items() for row in (one.get("hinges") or {}).get("by_ratio", [])]
     clauses = []
     if members:
