@@ -134,6 +134,7 @@ class YieldingContact(ProgramTest):
             for kind, structure in models.items():
                 with self.subTest(force=force, kind=kind):
                     summary, path = self.results(
+                        "accept: [period]\n"
                         "ground_motion: {harmonic: {amplitude: 3, period: 0.5, duration: 3}}\n"
                         f"structures: {{a: {{{structure}, damping: 0}}}}\n"
                         "analysis: {duration: 3, tolerance: 1e-8, output_step: 10 ms}\n"
