@@ -249,8 +249,8 @@ TEST(GroundMotionInput, ReportsErrorsInARecord) {
 }
 
 TEST(ModelInput, RefusesTheFilesOfManyRuns) {
-  refused(whole("records: {files: a.csv}\n" + analysis), mentions({"records", "pounding suite"}));
-  refused(whole("study: {factors: {}}\n" + analysis), mentions({"study", "pounding study"}));
+  refused(whole("records: {files: a.csv}\n" + analysis), at("4:10", "records"), mentions({"pounding suite"}));
+  refused(whole("study: {factors: {}}\n" + analysis), at("4:8", "study"), mentions({"pounding study"}));
 }
 
 TEST(ModelInput, IsAcceptedIfValid) {
