@@ -91,7 +91,10 @@ std::vector<Json> alternatives_of(const keys::Key& spec) {
                          {"minProperties", 1}});
       return all;
     }
-    case Form::named: return {Json{{"type", "object"}, {"additionalProperties", any_of(all)}}};
+    case Form::named:
+      // Maps of the model, whose kind the path of the factor decides.
+      if (spec.key == "alternatives") return {Json{{"type", "object"}, {"additionalProperties", {{"type", "object"}}}}};
+      return {Json{{"type", "object"}, {"additionalProperties", any_of(all)}}};
     case Form::named_lists: return {Json{{"type", "object"}, {"additionalProperties", list_schema(spec)}}};
   }
   return all;
