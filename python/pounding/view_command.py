@@ -35,7 +35,10 @@ def main(arguments: list[str] | None = None) -> int:
         view = _view(options)
         view.save(output)
     except HoldsPushover:
-        print(f"pounding: {options.file} is a pushover, which has no view; type pounding plot for its curve", file=sys.stderr)
+        print(
+            f"pounding: {options.file} is a pushover, which has no view; type pounding plot for its curve",
+            file=sys.stderr,
+        )
         return 2
     except (InputError, ImportError) as error:
         print(f"pounding: {error}", file=sys.stderr)
