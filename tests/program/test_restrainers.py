@@ -76,7 +76,8 @@ analysis: {{duration: 2, tolerance: 1e-7, output_step: 10 ms}}
         device = summary["devices"][0]
         self.assertAlmostEqual(device["elongation"]["max"] / farthest, 1, delta=1e-6)
         self.assertAlmostEqual(device["force"]["max"] / strength, 1, delta=1e-6)
-        self.assertEqual(device["force"]["min"], 0)
+        # Extremes are those of parabolas through the ends and the middle of steps.
+        self.assertGreater(device["force"]["min"], -1e-6 * strength)
         self.assertAlmostEqual(summary["energy"]["hysteretic"] / lost, 1, delta=1e-6)
         self.assertAlmostEqual(velocity[-1], -strength / math.sqrt(k * m), delta=1e-6)
         self.assertLess(summary["energy"]["error"], 1e-6)
@@ -278,7 +279,7 @@ structures:
       material: {{E: 1e10}}
       nodes: {{foot: [0, 0], top: [0, 3 m]}}
       members: {{column: {{between: [foot, top], section: {{area: 0.03 m^2, inertia_y: 1e-4 m^4}}}}}}
-      supports: {{foot: [ux, ry], top: [ux, ry]}}
+      supports: {{foot: {{fix: [ux, ry]}}, top: {{fix: [ux, ry]}}}}
       masses: {{foot: 20 t, top: 80 t}}
       springs: [{{node: foot, dof: uz, stiffness: {stiffness}, acts_in: {acts_in}}}]
       gravity: {gravity}
@@ -308,8 +309,9 @@ analysis: {{duration: 3, tolerance: 1e-8, output_step: 10 ms}}
 
         summary, file = self.run_model(self.COLUMN.format(stiffness="200 MN/m", acts_in="compression", gravity="true"))
         with file:
-            time, found = file["time"][:], file["structures/a/node_displacement"][:, :, 1]
-            reaction = file["structures/a/reaction"][:, 0, 1]
+            time, found = file["time"][:], file["structures/a/nodes/displacement"][:, :, 1]
+            reaction = file["structures/a/reactions/force"][:, 0, 1]
+        found = found - found[0]  # under gravity
         expected = integrate(rates, np.zeros(4), time, margins, enter)[:, :2]
         self.assertGreater(expected[:, 0].max(), 3 * lifts)
         largest = np.abs(expected).max()
@@ -374,8 +376,9 @@ analysis: {duration: 2.7, tolerance: 1e-8, output_step: 10 ms}
 
         with file:
             time = file["time"][:]
-            names = [name.decode() for name in file["structures/block"].attrs["nodes"]]
-            found = file["structures/block/node_displacement"][:, names.index("top"), :]
+            names = [name.decode() for name in file["structures/block/nodes/names"]]
+            found = file["structures/block/nodes/displacement"][:, names.index("top"), :]
+        found = found - found[0]  # under gravity
         expected = integrate(rates, np.zeros(6), time, margins, enter)[:, :3]
         tipped = expected @ rows["left"][1]
         self.assertGreater(np.abs(tipped).max(), 2 * lifts)
