@@ -394,8 +394,6 @@ analysis: {duration: 2.7, tolerance: 1e-8, output_step: 10 ms}
                 options = {"stiffness": "200 MN/m", "acts_in": "compression", "gravity": "true", **change}
                 self.write(self.COLUMN.format(**options))
                 self.refused(2, ["model.yaml:10", *mentions], "run", "model.yaml")
-                for text in mentions:
-                    self.assertIn(text, done.stderr)
         options = {"stiffness": "200 MN/m", "acts_in": "compression", "gravity": "true"}
         self.write(self.COLUMN.format(**options).replace("foot: 20 t, ", ""))
         self.refused(2, ["model.yaml:10", "mass"], "run", "model.yaml")
