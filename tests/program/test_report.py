@@ -3,9 +3,11 @@
 import hashlib
 import json
 import math
+import os
 import re
 import zlib
 from html.parser import HTMLParser
+from pathlib import Path
 
 from small_models import HINGES, ISOLATORS, STOREYS
 from support import MASTS, OSCILLATORS, UNSOLVABLE, ProgramTest, assert_mentions
@@ -124,10 +126,8 @@ class Reports(ProgramTest):
                 page, pdf, summary = self.report(model)
                 self.assertGreater(len(NUMBER.findall(page.text())), 40)
                 self.assertEqual(missing_numbers(page.text(), summary), [])
-                self.assertEqual(
-                    missing_numbers(pdf.replace("page ", "page").replace(" of ", " "), {**summary, "pages": [1, 2, 3]}),
-                    [],
-                )
+                # The PDF has the same numbers, and those of its axes.
+                self.assertLessEqual(set(NUMBER.findall(page.text())), set(NUMBER.findall(pdf)))
 
     def test_a_changed_number_would_be_noticed(self):
         page, _, summary = self.report(COMPARED)
@@ -236,14 +236,15 @@ class Verdicts(ProgramTest):
         )
 
     def test_names_the_gap_and_the_worst_member(self):
-        summary = self.summary(self.write(COMPARED))
+        model = (Path(os.environ["POUNDING_EXAMPLES"]) / "20_hinge_frames/model.yaml").read_text()
+        summary = self.summary(self.write(model))
         separations = summary["no_pounding"]["separations"]
         needed = max(one["enough"] for one in separations)
         rows = [row for one in summary["comparison"].values() for row in one["members"]["by_ratio"]]
         worst = max(rows, key=lambda row: row["ratio"])
         assert_mentions(
-            self.verdict(COMPARED),
-            ["5 mm is not enough", f"{1e3 * needed:.3g} mm needed", worst["member"], f"{worst['ratio']:.3g} times"],
+            self.verdict(model),
+            ["20 mm is not enough", f"{1e3 * needed:.3g} mm needed", worst["member"], f"{worst['ratio']:.3g} times"],
         )
 
     def test_names_a_storey_without_members(self):
