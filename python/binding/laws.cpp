@@ -194,7 +194,7 @@ py::dict dict_of(const laws::Entry& entry) {
                   "leaves_indentation"_a = entry.leaves_indentation, "instantaneous"_a = entry.instantaneous);
 }
 
-/// History of the contact of two bodies, for hosts that step in time. The gap of the host is not part of it: `gap`
+/// History of the contact of two bodies, for hosts that step in time. It excludes the gap of the host: `gap`
 /// contains only the indentation left by earlier impacts.
 struct Contact {
   laws::AnyLaw law;

@@ -12,7 +12,20 @@ from support import LONG, OSCILLATORS, PROGRAM, UNSOLVABLE, ProgramTest
 from messages import assert_mentions
 
 SUMMARY_KEYS = ["status", "links", "impacts", "structures", "energy", "solver", "model", "warnings"]
-LINK_KEYS = ["name", "impacts", "peak_force", "peak_penetration", "impulse", "energy_lost", "energy_stored", "presses", "largest_opening", "t_opening", "seat", "unseated"]
+LINK_KEYS = [
+    "name",
+    "impacts",
+    "peak_force",
+    "peak_penetration",
+    "impulse",
+    "energy_lost",
+    "energy_stored",
+    "presses",
+    "largest_opening",
+    "t_opening",
+    "seat",
+    "unseated",
+]
 STRUCTURE_KEYS = ["peak_displacement", "peak_drift", "peak_acceleration", "envelope"]
 ENERGY_KEYS = ["input", "kinetic", "strain", "damping", "hysteretic", "impact", "error"]
 SOLVER_KEYS = ["integrator", "tolerance", "duration", "steps", "rejected", "events", "wall_seconds"]

@@ -63,7 +63,10 @@ class Fonts(unittest.TestCase):
     def test_missing_letters_are_one_warning_with_the_remedy(self):
         with style.picture((2, 2), "\u6771\u4eac") as figure:
             figure.subplots()
-        with mock.patch.dict(style.STYLE, {"font.family": ["DejaVu Sans"]}), warnings.catch_warnings(record=True) as seen:
+        with (
+            mock.patch.dict(style.STYLE, {"font.family": ["DejaVu Sans"]}),
+            warnings.catch_warnings(record=True) as seen,
+        ):
             warnings.simplefilter("always")
             for text in figure.texts:
                 text.set_fontfamily("DejaVu Sans")

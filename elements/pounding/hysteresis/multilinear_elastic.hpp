@@ -60,7 +60,8 @@ struct MultilinearElastic {
     for (const double way : {1.0, -1.0}) {
       std::vector<double> x, y;
       for (std::size_t i = 0; i < deformation.size(); ++i)
-        if (way > 0 ? !(deformation[i] < 0) : deformation[i] < 0) x.push_back(way * deformation[i]), y.push_back(way * force[i]);
+        if (way > 0 ? !(deformation[i] < 0) : deformation[i] < 0)
+          x.push_back(way * deformation[i]), y.push_back(way * force[i]);
       if (way < 0) std::ranges::reverse(x), std::ranges::reverse(y);
       if (way > 0 || is_two_sided())
         laws::Polyline{x, y}.check(is_two_sided() ? "deformation of one sign" : "deformation",

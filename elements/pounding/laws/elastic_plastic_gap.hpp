@@ -44,8 +44,13 @@ struct ElasticPlasticGap {
       Parameter{{"stiffness", "N/m", "contact stiffness k", 1e8}, &ElasticPlasticGap::stiffness},
       Parameter{{"yield_force", "N", "yield force Fy", 2e6}, &ElasticPlasticGap::yield_force},
       Parameter{{"hardening", "", "ratio a of post-yield to initial stiffness", 0.02}, &ElasticPlasticGap::hardening},
-      Parameter{{"damage", "", "1 (true): the gap grows with the plastic deformation; 0 (false): it does not", 1,
-                 Need::required, {}, true},
+      Parameter{{"damage",
+                 "",
+                 "1 (true): the gap grows with the plastic deformation; 0 (false): it does not",
+                 1,
+                 Need::required,
+                 {},
+                 true},
                 &ElasticPlasticGap::damage}};
 
   void check() const {
@@ -62,9 +67,7 @@ struct ElasticPlasticGap {
     return heals() ? 0 : std::max(impact.crushed, plastic(impact.crushed) + impact.largest_penetration);
   }
   /// Growth of the gap in this impact [m].
-  double indentation(const Impact& impact) const noexcept {
-    return plastic(crushed(impact)) - plastic(impact.crushed);
-  }
+  double indentation(const Impact& impact) const noexcept { return plastic(crushed(impact)) - plastic(impact.crushed); }
 
   Response contact(double penetration, double, const Impact& impact) const noexcept {
     const double d = depth(penetration, impact), p = offset(impact), yields_at = yield_depth(p);

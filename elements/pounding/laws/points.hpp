@@ -38,6 +38,7 @@ struct Polyline {
   double begin_y(std::size_t end) const noexcept { return end == 0 ? 0 : y[end - 1]; }
   double slope(std::size_t end) const noexcept { return (y[end] - begin_y(end)) / (x[end] - begin_x(end)); }
 
+  /// Value and slope at `where`.
   CurvePoint at(double where) const noexcept {
     const std::size_t end = segment(where);
     const double k = slope(end);

@@ -36,6 +36,7 @@ struct Tabulated {
       Parameter{{"force", "N", "forces F_i of the points", 1e6, Need::required, typical_force}, &Tabulated::force}};
 
   void check() const { curve().check("penetration", "force"); }
+  /// Force over penetration.
   Polyline curve() const noexcept { return {penetration, force}; }
 
   Response contact(double d, double, const Impact&) const noexcept {

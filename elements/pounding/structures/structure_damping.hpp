@@ -30,6 +30,7 @@ struct RayleighFactors {
 
 /// Damping proportional to the mass or to the stiffness alone, with the ratio in one mode or at one period.
 struct ProportionalDamping {
+  /// Matrix to which the damping is proportional.
   enum class To { mass, stiffness };
   To to = To::stiffness;
   double ratio = 0;                ///< in [0, 1)
@@ -53,6 +54,7 @@ enum class DampedStiffness {
 /// several modes Rayleigh damping in modes 1 and 2.
 class Damping {
  public:
+  /// A plain ratio or one of the models.
   using Model = std::variant<double, RayleighDamping, RayleighFactors, ProportionalDamping, ModalDamping>;
 
   Damping(double ratio) : how_(ratio) {}

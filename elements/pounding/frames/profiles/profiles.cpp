@@ -173,8 +173,8 @@ Section rolled_i_section(double depth, double width, double flange, double web, 
   const double inscribed =
       (std::pow(radius + web / 2, 2) + std::pow(radius + flange, 2) - radius * radius) / (2 * radius + flange);
   const double junction = web / flange * (0.145 + 0.1 * radius / flange) * std::pow(inscribed, 4);
-  s.torsion = 2.0 / 3 * (width - 0.63 * flange) * std::pow(flange, 3) +
-              (depth - 2 * flange) * std::pow(web, 3) / 3 + 2 * junction;
+  s.torsion = 2.0 / 3 * (width - 0.63 * flange) * std::pow(flange, 3) + (depth - 2 * flange) * std::pow(web, 3) / 3 +
+              2 * junction;
   return s;
 }
 
@@ -250,9 +250,9 @@ std::optional<Material> find_steel(std::string_view grade) {
     std::string_view name;
     double strength, young, poisson, density;
   };
-  constexpr Steel grades[] = {{"S235", 235e6, 210e9, 0.3, 7850}, {"S275", 275e6, 210e9, 0.3, 7850},
-                              {"S355", 355e6, 210e9, 0.3, 7850}, {"S420", 420e6, 210e9, 0.3, 7850},
-                              {"S460", 460e6, 210e9, 0.3, 7850}, {"A36", 248.2e6, 199.95e9, 0.3, 7850},
+  constexpr Steel grades[] = {{"S235", 235e6, 210e9, 0.3, 7850},     {"S275", 275e6, 210e9, 0.3, 7850},
+                              {"S355", 355e6, 210e9, 0.3, 7850},     {"S420", 420e6, 210e9, 0.3, 7850},
+                              {"S460", 460e6, 210e9, 0.3, 7850},     {"A36", 248.2e6, 199.95e9, 0.3, 7850},
                               {"A992", 344.7e6, 199.95e9, 0.3, 7850}};
   const auto found = std::ranges::find(grades, grade, &Steel::name);
   if (found == std::end(grades)) return std::nullopt;

@@ -4,8 +4,8 @@
 /// European I-sections (IPE, HEA, HEB, HEM, HD, HP, UB, UC, UBP) follow from their dimensions, including the root
 /// radii; American sections (W, M, S, HP, HSS, PIPE) have the published properties of the AISC Shapes Database. Square,
 /// rectangular and circular hollow sections (SHS 200x8, RHS 300x200x10, CHS 219.1x8, in mm) of any size are hot
-/// finished, with the outer radius 1.5 t and the inner radius t of EN 10210-2. The depth is along local z: bending about
-/// local y is about the strong axis. Shear areas are those of sections.hpp, without root radii.
+/// finished, with the outer radius 1.5 t and the inner radius t of EN 10210-2. The depth is along local z: bending
+/// about local y is about the strong axis. Shear areas are those of sections.hpp, without root radii.
 
 #include <optional>
 #include <string>
@@ -29,8 +29,8 @@ Section rolled_i_section(double depth, double width, double flange, double web, 
 /// Hot-finished rectangular hollow section [m].
 Section hollow_section(double depth, double width, double thickness);
 
-/// Yield strength and elastic constants of a steel grade: S235, S275, S355, S420, S460 (EN 1993-1-1, 40 mm at most), A36
-/// and A992 (ASTM); `nullopt` for another name.
+/// Yield strength and elastic constants of a steel grade: S235, S275, S355, S420, S460 (EN 1993-1-1, 40 mm at most),
+/// A36 and A992 (ASTM); `nullopt` for another name.
 std::optional<Material> find_steel(std::string_view grade);
 
 }  // namespace pounding

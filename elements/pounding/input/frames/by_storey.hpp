@@ -15,7 +15,8 @@ namespace pounding {
 /// True for a map from storeys such as {1-3: ..., 4: ...}.
 bool is_by_storey(const Input& node);
 
-/// First and last storey of a key such as "4" or "1-3". Throws InputError at the key for storeys outside 1 to `storeys`.
+/// First and last storey of a key such as "4" or "1-3". Throws InputError at the key for storeys outside 1 to
+/// `storeys`.
 std::pair<int, int> storeys_of(const std::string& key, const Input& location, int storeys);
 
 /// [storey or 1][line or 1] of a value: one for all, a list from the ground up, or a map from storeys; each item may be

@@ -53,7 +53,8 @@ void read_loads(const Input& node, GridFrame& grid) {
   for (const std::vector<double>& row : grid.beam_load)
     for (const double each : row)
       if (grid.mass_from_loads && each > 0)
-        mass->fail(fmt::format("needs loads that act downwards, with a negative sign; {:.4g} kN/m was read", each / 1e3));
+        mass->fail(
+            fmt::format("needs loads that act downwards, with a negative sign; {:.4g} kN/m was read", each / 1e3));
 }
 
 }  // namespace pounding
