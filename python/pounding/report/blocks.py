@@ -12,6 +12,8 @@ if TYPE_CHECKING:
 
 #: Shown for a value that does not exist.
 NONE = "–"
+#: Shown for the response of a collapse.
+INFINITE = "∞"
 
 
 @dataclass(frozen=True)
@@ -80,9 +82,14 @@ def decimals(values: Iterable[float | None], digits: int = 4) -> int:
 def shown(value: float | None, places: int) -> str:
     """A number with this many decimals; NONE for a missing one, zero without a sign."""
     if value is None or not math.isfinite(value):
-        return NONE
+        return _without_digits(value)
     text = f"{value:.{places}f}"
     return text.lstrip("-") if float(text) == 0 else text
+
+
+def _without_digits(value: float | None) -> str:
+    """INFINITE, or NONE for a missing number."""
+    return NONE if value is None or math.isnan(value) else INFINITE
 
 
 def column(values: Sequence[float | None], scale: float = 1.0, digits: int = 4) -> list[str]:
@@ -96,7 +103,7 @@ def number(value: float | None, scale: float = 1.0, digits: int = 3) -> str:
     """One number with at least `digits` significant digits, without trailing zeros, and with an exponent if it is
     very small or large."""
     if value is None or not math.isfinite(value):
-        return NONE
+        return _without_digits(value)
     value /= scale
     if value == 0:
         return "0"
@@ -118,7 +125,7 @@ def span(values: Iterable[float | None], scale: float = 1.0, digits: int = 4) ->
 def ratio(value: float | None) -> str:
     """A ratio with two decimals, or with at least two significant digits."""
     if value is None or not math.isfinite(value):
-        return NONE
+        return _without_digits(value)
     return f"{value:.2f}" if value < 100 else f"{value:.0f}"
 
 

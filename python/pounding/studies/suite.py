@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import hashlib
 import re
 import warnings
 from collections.abc import Mapping, Sequence
@@ -26,6 +27,8 @@ from pounding.studies.plan import Plan, make_plan
 from pounding.studies.scaling import Scaling
 from pounding.studies.sections import text_without
 from pounding.studies.study import Study, records_folder, run_plan
+from pounding.studies.table import open_study
+from pounding.texts import text as text_of
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -46,7 +49,7 @@ class Statistics:
     @classmethod
     def of(cls, values: np.ndarray, percent: Sequence[float] = PERCENTS) -> Statistics:
         """Statistics of [record, ...]. A record without the quantity is NaN and excluded from the statistics."""
-        flat = values.reshape(len(values), -1)
+        flat = values.reshape(len(values), int(np.prod(values.shape[1:])))
         known = ~np.isnan(flat)
         mean = np.full(flat.shape[1], np.nan)
         largest = np.full(flat.shape[1], np.nan)
@@ -76,6 +79,28 @@ class Suite(Study):
         """Factors of the records and their fit to the target; None without scale_to."""
         found = self.description["suite"].get("scaling")
         return None if found is None else Scaling.of(found)
+
+    @property
+    def link_gaps(self) -> Mapping[str, float]:
+        """Gap of each link [m]."""
+        found: Mapping[str, float] = self.description["suite"]["gaps"]
+        return found
+
+    @property
+    def tolerance(self) -> float:
+        """Relative tolerance of the time integration."""
+        return float(self.description["suite"]["tolerance"])
+
+    @property
+    def sha256(self) -> str:
+        """Checksum of the input: of the suite's file, or of a file with the same contents."""
+        if self.plan is not None:
+            typed = self.plan.text
+        else:
+            assert self.path is not None
+            with open_study(self.path) as file:
+                typed = text_of(file["study/text"][()])
+        return hashlib.sha256(typed.encode()).hexdigest()
 
     @property
     def structures(self) -> list[str]:
@@ -142,6 +167,14 @@ class Suite(Study):
 
         return profiles_figure(self, quantities, **options)
 
+    @takes(path=arguments.file)
+    def report(self, path: File, *, percent: float = 84.0) -> None:
+        """Writes the report, .pdf or .html, with mean, this percentile and maximum. Raises InputError for another
+        suffix and for a file that is not a report, OSError, ImportError without matplotlib."""
+        from pounding.report import write_suite_report
+
+        write_suite_report(self, path, percent=percent)
+
     def _columns(self, names: Sequence[str], alone: bool) -> np.ndarray:
         if alone and not self.has_comparison:
             raise InputError("the suite has no run without links; add compare: no_pounding to the model")
@@ -196,7 +229,18 @@ def plan_of_suite(
         for key, value in one.items()
         if key in ("ag", "SDS", "SD1") and re.fullmatch(r"[0-9.eE+-]+", str(value)) and float(str(value)) < 3
     ]
-    return replace(plan, warnings=(*plan.warnings, *bare))
+    return replace(plan, suite={**(plan.suite or {}), **_resolved(plan)}, warnings=(*plan.warnings, *bare))
+
+
+def _resolved(plan: Plan) -> dict[str, Any]:
+    """Gaps of the links and the tolerance, which are the same for all records."""
+    files = {**plan.template.files, **plan.files_of(np.array([0]))}
+    parts = core.parse(core.Source(core.check(core.Source(plan.yaml(0), "row", files))[1], "resolved"))
+    rtol = [one.split()[-1] for one in plan.options if one.startswith("-pounding_ts_rtol")]
+    return {
+        "gaps": {str(one["name"]): float(one["gap"]) for one in parts.get("links") or ()},
+        "tolerance": float(rtol[-1] if rtol else parts["analysis"]["tolerance"]),
+    }
 
 
 def _target(records: Mapping[str, Any]) -> Mapping[str, Any]:
@@ -240,7 +284,8 @@ def suite(
         typed = yaml_text.plain({**typed, **({"scale_to": scale_to} if scale_to is not None else {})})
         given = core.read_suite(yaml_text.emit({"records": typed}), "records")
         read = model if isinstance(model, Model) else Model.from_file(model)
-        plan = plan_of_suite(read, typed, given, Path(), store=records_folder(path or Path("suite")))
+        as_file = yaml_text.emit({"records": typed, **read._parts()})
+        plan = plan_of_suite(read, typed, given, Path(), as_file, store=records_folder(path or Path("suite")))
     for doubt in plan.warnings:
         warnings.warn(doubt, ImplausibleWarning, stacklevel=2)
     return run_suite(plan, path, workers, executor, progress)

@@ -9,7 +9,8 @@ import time
 from pathlib import Path
 
 from pounding.checked_file import STUDY
-from pounding.outputs import destination
+from pounding.outputs import destination, tell
+from pounding.report import require_report
 from pounding.studies.options import add_percentile, at_least, warn
 from pounding.studies.progress import duration_text
 from pounding.studies.study import records_folder
@@ -34,10 +35,13 @@ def suite(words: list[str]) -> int:
     parser.add_argument(
         "--plot", nargs="?", const="", metavar="FILE", help="also draw profiles (default: the table's name with .png)"
     )
+    parser.add_argument("--report", metavar="FILE", help="also write a report: .pdf or .html")
     parser.add_argument("-q", "--quiet", action="store_true", help="print nothing")
     options = parser.parse_args(words)
     output = Path(options.output or f"{Path(options.model).stem}-suite.h5")
     destination(output, STUDY)
+    if options.report is not None:
+        require_report(options.report)
     plan = read_suite(options.model, records_folder(output))
     warn(plan)
     begin = time.monotonic()
@@ -50,9 +54,14 @@ def suite(words: list[str]) -> int:
         print(f"\n{duration_text(time.monotonic() - begin)}; {output}")
     sys.stdout.flush()
     code = 3 if done.failed else 0
+    shown = max(percent) if options.percentile else 84.0
+    if options.report is not None:
+        done.report(options.report, percent=shown)
+        if not (options.json or options.quiet):
+            tell("report", options.report)
     if options.plot is not None:
         from pounding.pictures.style import write_picture
 
-        figure = done.profiles(percent=max(percent) if options.percentile else 84.0)
+        figure = done.profiles(percent=shown)
         code = write_picture(figure, options.plot or output.with_suffix(".png")) or code
     return code

@@ -62,18 +62,21 @@ def profiles_figure(
     ) as figure:
         every = figure.subplots(rows, columns, squeeze=False)
         places = [(name, each) for name in names for each in chosen]
-        for axes, (name, each) in zip(every.flat, places):
+        for i, (axes, (name, each)) in enumerate(zip(every.flat, places)):
             if each in suite.structure(name)["quantities"]:
-                _panel(axes, suite, name, each, percent, has_alone, is_narrow)
+                draw_panel(axes, suite, name, each, percent, has_alone, is_narrow)
+                if i % columns == 0:
+                    axes.set_ylabel(height_label(suite, name))
             else:
                 axes.set_axis_off()
         _legend(figure, percent, has_alone, is_narrow)
     return figure
 
 
-def _panel(
-    axes: Axes, suite: Suite, name: str, quantity: str, percent: float, has_alone: bool, is_narrow: bool
+def draw_panel(
+    axes: Axes, suite: Suite, name: str, quantity: str, percent: float, has_alone: bool, is_narrow: bool = False
 ) -> None:
+    """Profiles of one quantity of a structure; `is_narrow` for small panels."""
     title, unit, size = FLOORS[quantity]
     runs = [(False, WITH)] + ([(True, WITHOUT)] if has_alone else [])
     drawn = [(suite.floors(name, quantity, alone=alone)[suite.finished] / size, colour) for alone, colour in runs]
@@ -97,8 +100,11 @@ def _panel(
     axes.yaxis.set_major_locator(MaxNLocator(4 if is_narrow else 6))
     axes.set_xlabel(f"{SHORT.get(quantity, title) if is_narrow else title} [{unit}]")
     axes.set_title(name, fontsize=8)
-    if axes.get_subplotspec().is_first_col():  # type: ignore[union-attr]
-        axes.set_ylabel("height [m]" if suite.structure(name)["heights"] else "floor")
+
+
+def height_label(suite: Suite, name: str) -> str:
+    """Label of the vertical axis of a structure."""
+    return "height [m]" if suite.structure(name)["heights"] else "floor"
 
 
 def _all_rows(suite: Suite, finished: np.ndarray) -> np.ndarray:
@@ -115,7 +121,8 @@ def _heights(one: Any) -> tuple[np.ndarray, np.ndarray]:
     return heights, (heights[1:] + heights[:-1]) / 2
 
 
-def _legend(figure: Figure, percent: float, has_alone: bool, is_narrow: bool) -> None:
+def legend_lines(percent: float, has_alone: bool) -> list[Line2D]:
+    """Lines of the legend."""
     grey = "0.3"
     handles = [
         Line2D([], [], color=grey, linewidth=0.5, alpha=0.6, label="one record"),
@@ -125,6 +132,11 @@ def _legend(figure: Figure, percent: float, has_alone: bool, is_narrow: bool) ->
     if has_alone:
         handles += [Line2D([], [], color=WITH, linewidth=1.8, label="with pounding")]
         handles += [Line2D([], [], color=WITHOUT, linewidth=1.8, label="without")]
+    return handles
+
+
+def _legend(figure: Figure, percent: float, has_alone: bool, is_narrow: bool) -> None:
+    handles = legend_lines(percent, has_alone)
     figure.legend(
         handles=handles,
         loc="outside lower center",

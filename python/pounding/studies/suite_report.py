@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import Any
 
 import numpy as np
 
 from pounding.studies.batches import STATUSES
 from pounding.studies.percentiles import finite
+from pounding.studies.scaling import Scaling
 from pounding.studies.suite import Statistics, Suite
 
 GRAVITY = 9.80665  #: [m/s^2]
@@ -24,6 +25,8 @@ FLOORS = {
 LINKS = {"m": ("mm", 1e-3), "N": ("kN", 1e3), "N s": ("kN s", 1e3), "J": ("kJ", 1e3), "": ("", 1.0)}
 #: Number of members, hinges and links in the text.
 SHOWN = 5
+#: Members with a smaller fraction of the largest mean force of their structure are not ranked, as in a run.
+MIN_DEMAND = 0.1
 
 
 def report(suite: Suite, percent: Sequence[float]) -> str:
@@ -66,10 +69,8 @@ def _counts(suite: Suite) -> str:
     return "\n".join(lines)
 
 
-def _scaling(suite: Suite) -> list[str]:
-    scaling = suite.scaling
-    if scaling is None:
-        return []
+def scaling_text(scaling: Scaling) -> list[str]:
+    """Target, method, range of periods, and fit of the mean spectrum."""
     method = {
         "suite": "one factor for all records",
         "least_squares": "one factor per record, least squares",
@@ -81,13 +82,19 @@ def _scaling(suite: Suite) -> list[str]:
         "rotd100": ", RotD100 of two components",
         "geometric_mean": ", geometric mean of two components",
     }
-    lines = [
-        "",
+    lowest, highest = (scaling.periods[i] for i in (int(scaling.fit.argmin()), int(scaling.fit.argmax())))
+    return [
         f"scaled to {scaling.target}: {method}{combined[scaling.components]}; {scaling.periods[0]:.3g} s to {scaling.periods[-1]:.3g} s",
-        f"mean spectrum / target: {scaling.fit.min():.3f} at {scaling.periods[int(scaling.fit.argmin())]:.3g} s to {scaling.fit.max():.3f} at "
-        f"{scaling.periods[int(scaling.fit.argmax())]:.3g} s"
+        f"mean spectrum / target: {scaling.fit.min():.3f} at {lowest:.3g} s to {scaling.fit.max():.3f} at {highest:.3g} s"
         + (f"; at least {scaling.fraction:g} is required" if scaling.fraction else ""),
     ]
+
+
+def _scaling(suite: Suite) -> list[str]:
+    scaling = suite.scaling
+    if scaling is None:
+        return []
+    lines = ["", *scaling_text(scaling)]
     width = max(len(str(name)) for name in suite.records["name"])
     misfits = (np.array(scaling.factors)[:, None] * np.array(scaling.spectra)) / np.array(scaling.sa)
     lines += [
@@ -190,14 +197,24 @@ def _cell(value: float) -> str:
 
 def summary(suite: Suite, percent: Sequence[float]) -> dict[str, Any]:
     """The numbers of the report in SI, for scripts; null for infinite numbers and for quantities that do not exist."""
-    status = suite["status"]
-    factors = suite.scaling.factors if suite.scaling else [None] * len(suite)
+    found: dict[str, Any] = _plain(numbers(suite, percent))
+    return found
+
+
+def numbers(suite: Suite, percent: Sequence[float]) -> dict[str, Any]:
+    """Same as `summary`, with infinite numbers, and NaN for quantities that do not exist."""
+    status, model = suite["status"], suite.description["model"]
     found: dict[str, Any] = {
-        "records": [
-            {"name": name, "factor": factor, "status": STATUSES[status[row]], **_reason(suite, row)}
-            for row, (name, factor) in enumerate(zip(suite.records["name"], factors))
-        ],
+        "title": model.get("title", ""),
+        "project": model.get("project", ""),
+        "version": suite.description["version"],
+        "sha256": suite.sha256,
+        "tolerance": suite.tolerance,
+        "count": len(suite),
+        "records": _of_records(suite),
         "status": {word: int((status == i).sum()) for i, word in enumerate(STATUSES)},
+        "finished": int(suite.finished.sum()),
+        "records_with_contact": int((_contacts(suite)[suite.finished] > 0).sum()),
         "structures": {},
         "links": {},
     }
@@ -205,21 +222,65 @@ def summary(suite: Suite, percent: Sequence[float]) -> dict[str, Any]:
         described = suite.scaling.description()
         found["scaling"] = {**described, "mean": suite.scaling.mean.tolist(), "fit": suite.scaling.fit.tolist()}
     for name in suite.structures:
-        runs = [("", False)] + ([("without_links", True)] if suite.has_comparison else [])
-        made: dict[str, Any] = {}
-        for key, alone in runs:
-            numbers = _of_structure(suite, name, alone, percent)
-            made |= {key: numbers} if key else numbers
+        made = _of_structure(suite, name, False, percent)
+        if suite.has_comparison:
+            made["without_links"] = _of_structure(suite, name, True, percent)
         found["structures"][name] = made
     for link in suite.layout["links"]:
         found["links"][link["name"]] = {
-            quantity: _numbers(suite, suite[f"{quantity}.{link['name']}"], percent) for quantity in link["quantities"]
+            "gap": suite.link_gaps[link["name"]],
+            **{each: _numbers(suite, suite[f"{each}.{link['name']}"], percent) for each in link["quantities"]},
         }
+    if _has_forces(suite):
+        found["force"] = _numbers(suite, _forces(suite), percent)
     if "required_gap" in suite.columns:
         found["required_gap"] = _numbers(suite, suite["required_gap"], percent)
+    found["worst"] = {
+        "members": _largest(_members(found["structures"], f"{max(percent):g} %")),
+        "hinges": _largest(_parts(found["structures"], f"{max(percent):g} %")),
+    }
     if suite.warnings:
         found["warnings"] = list(suite.warnings)
     return found
+
+
+def _contacts(suite: Suite) -> np.ndarray:
+    """[record] impacts of all links; zero without links."""
+    return np.asarray(suite.of_links("impacts").sum(axis=1)) if suite.links else np.zeros(len(suite))
+
+
+def _has_forces(suite: Suite) -> bool:
+    """False if all links are rigid."""
+    return any("force" in one["quantities"] for one in suite.layout["links"])
+
+
+def _forces(suite: Suite) -> np.ndarray:
+    """[record] largest force of all links [N]; NaN for failed records."""
+    forces = suite.of_links("force")
+    return np.asarray(np.fmax.reduce(forces, axis=1))
+
+
+def _of_records(suite: Suite) -> list[dict[str, Any]]:
+    """Name, factor, peak acceleration, status, and largest responses of each record."""
+    forces = _forces(suite) if _has_forces(suite) else None
+    contacts, rows = _contacts(suite), []
+    for row, status in enumerate(suite["status"].tolist()):
+        record = int(suite["record"][row])
+        one = {
+            "name": suite.records["name"][record],
+            "factor": suite.scaling.factors[record] if suite.scaling else None,
+            "pga": float(suite.records["pga"][record]),
+            "status": STATUSES[status],
+            **_reason(suite, row),
+        }
+        if suite.finished[row]:
+            one["impacts"] = float(contacts[row])
+            if forces is not None:
+                one["force"] = float(forces[row])
+            if "required_gap" in suite.columns:
+                one["required_gap"] = float(suite["required_gap"][row])
+        rows.append(one)
+    return rows
 
 
 def _reason(suite: Suite, row: int) -> dict[str, str]:
@@ -228,9 +289,9 @@ def _reason(suite: Suite, row: int) -> dict[str, str]:
 
 def _of_structure(suite: Suite, name: str, alone: bool, percent: Sequence[float]) -> dict[str, Any]:
     one = suite.structure(name)
-    found: dict[str, Any] = {
-        quantity: _numbers(suite, suite.floors(name, quantity, alone=alone), percent) for quantity in one["quantities"]
-    }
+    found: dict[str, Any] = {} if alone else {"floor": list(range(1, one["floors"] + 1))}
+    for quantity in one["quantities"]:
+        found[quantity] = _numbers(suite, suite.floors(name, quantity, alone=alone), percent)
     if one["members"]:
         forces = suite.members(name, alone=alone)
         found["members"] = one["members"]
@@ -244,11 +305,73 @@ def _of_structure(suite: Suite, name: str, alone: bool, percent: Sequence[float]
     return found
 
 
+def _members(structures: Mapping[str, Any], rank: str) -> Iterator[dict[str, Any]]:
+    """Members with their forces, the ratio with and without links, and their demand: the fraction of the largest force
+    of the component in the structure."""
+    for name, one in structures.items():
+        for kind, forces in one.get("member_force", {}).items():
+            alone = one["without_links"]["member_force"][kind] if "without_links" in one else None
+            typical = _typical([forces], rank)[0]
+            top = max((value for value in typical if np.isfinite(value)), default=0.0)
+            for i, member in enumerate(one["members"]):
+                demand = typical[i] / top if top > 0 else 0.0
+                if demand >= MIN_DEMAND:
+                    row = {"structure": name, "member": member, "component": kind}
+                    yield {**row, **_pair(forces, alone, i, rank), "demand": demand}
+
+
+def _parts(structures: Mapping[str, Any], rank: str) -> Iterator[dict[str, Any]]:
+    """Parts that yield, with their ductility, its ratio with and without links, and the plastic rotation of hinges."""
+    for name, one in structures.items():
+        alone = one.get("without_links")
+        for i, part in enumerate(one.get("parts", ())):
+            demand = _typical([one["ductility"]], rank)[0][i]
+            row = {"structure": name, "part": part, "demand": demand}
+            row |= _pair(one["ductility"], alone and alone["ductility"], i, rank)
+            if part in one.get("hinges", ()):
+                row["plastic_rotation"] = _at(one["plastic_rotation"], one["hinges"].index(part))
+            if demand > 1:
+                yield row
+
+
+def _typical(runs: Sequence[Mapping[str, Any]], rank: str) -> list[Any]:
+    """The means of runs, or their percentiles if a mean is infinite, which one collapse suffices for."""
+    key = "mean" if all(np.isfinite(one["mean"]).all() for one in runs) else rank
+    return [one[key] for one in runs]
+
+
+def _pair(found: Mapping[str, Any], alone: Mapping[str, Any] | None, i: int, rank: str) -> dict[str, Any]:
+    """Statistics of one member or part, with and without links if both exist, and the ratio of their means."""
+    if alone is None:
+        return {"with": _at(found, i)}
+    value, reference = (one[i] for one in _typical([found, alone], rank))
+    ratio = value / reference if np.isfinite(value) and reference > 1e-9 * value else np.nan
+    return {"with": _at(found, i), "without": _at(alone, i), "ratio": ratio}
+
+
+def _at(found: Mapping[str, Any], i: int) -> dict[str, float]:
+    return {key: values[i] for key, values in found.items()}
+
+
+def _largest(rows: Iterable[dict[str, Any]]) -> list[dict[str, Any]]:
+    """Those with the largest ratios of means, or with the largest demands if there are no ratios."""
+    every = list(rows)
+    compared = [row for row in every if np.isfinite(row.get("ratio", np.nan))]
+    if compared:
+        return sorted(compared, key=lambda row: -row["ratio"])[:SHOWN]
+    return sorted(every, key=lambda row: -row["demand"])[:SHOWN]
+
+
 def _numbers(suite: Suite, values: np.ndarray, percent: Sequence[float]) -> dict[str, Any]:
     found: Statistics = suite.statistics(values, percent)
-    by_rank = {f"{one:g} %": _plain(found.percentiles[i]) for i, one in enumerate(percent)}
-    return {"mean": _plain(found.mean), **by_rank, "max": _plain(found.max)}
+    by_rank = {f"{one:g} %": found.percentiles[i].tolist() for i, one in enumerate(percent)}
+    return {"mean": found.mean.tolist(), **by_rank, "max": found.max.tolist()}
 
 
-def _plain(values: np.ndarray) -> Any:
-    return finite(float(values)) if values.ndim == 0 else [finite(one) for one in values.tolist()]
+def _plain(value: Any) -> Any:
+    """The value for JSON."""
+    if isinstance(value, Mapping):
+        return {key: _plain(one) for key, one in value.items()}
+    if isinstance(value, (list, tuple)):
+        return [_plain(one) for one in value]
+    return finite(value) if isinstance(value, float) else value
