@@ -14,16 +14,17 @@ from pounding.report.results_tables import warnings_paragraph
 from pounding.report.suite_tables import TABLE, Found
 from pounding.report.verdict import FORCES, NOTABLE
 from pounding.studies.batches import STATUSES
+from pounding.studies.scaling import Scaling
 from pounding.studies.suite import Suite
-from pounding.studies.suite_picture import DEFAULT, draw_panel, height_label, legend_lines
-from pounding.studies.suite_report import numbers, scaling_text
+from pounding.studies.suite_picture import DEFAULT, WITH, draw_panel, height_label, legend_lines
+from pounding.studies.suite_report import GRAVITY, numbers, scaling_text
 
 #: Names of failed records.
 NAMES = 10
 #: Structures with all quantities in the picture, and largest number of structures in it.
 WHOLE, DRAWN = 3, 8
-#: Heights of a row of panels and of the legend [mm].
-PANEL, LEGEND = 41.0, 6.0
+#: Heights of a row of panels, of the legend and of the spectra [mm].
+PANEL, LEGEND, SPECTRA = 41.0, 6.0, 38.0
 
 
 def report_of_suite(suite: Suite, percent: float = 84.0) -> Report:
@@ -63,20 +64,26 @@ def _blocks(suite: Suite, found: Found, percent: float) -> Iterator[Heading | Pa
         )
     yield Heading("Records")
     if suite.scaling:
-        yield Paragraph(" ".join(f"{line[:1].upper()}{line[1:]}." for line in scaling_text(suite.scaling)))
+        scaling = suite.scaling
+        yield Paragraph(" ".join(f"{line[:1].upper()}{line[1:]}." for line in scaling_text(scaling)))
+        yield Picture(
+            lambda figure, box: _draw_spectra(figure, box, scaling),
+            "Left: spectra of the scaled records thin, their mean thick, the target dashed. Right: mean divided by the target.",
+            SPECTRA,
+        )
     yield suite_tables.records_table(found)
     if found["finished"]:
         yield Heading("Results")
-        yield Paragraph(
-            f"Mean, {rank} and maximum are those of the largest absolute values of the records. "
-            f"At least {rank} of the records do not exceed the value of {rank}."
-        )
         yield from _filled(
             suite_tables.members_table(found, rank),
             suite_tables.parts_table(found, rank),
             suite_tables.links_table(found, rank),
         )
         yield from suite_tables.floors_tables(found, rank)
+        yield Paragraph(
+            f"Mean, {rank} and maximum are those of the largest absolute values of the records. "
+            f"At least {rank} of the records do not exceed the value of {rank}."
+        )
     if suite.links and not suite.has_comparison:
         yield Paragraph("The suite has no run without links; type compare: no_pounding in the model to add it.")
     yield warnings_paragraph({"warnings": found.get("warnings", [])})
@@ -89,11 +96,12 @@ def verdict(found: Found, rank: str) -> str:
         return "No verdict, because no record finished."
     if not found["links"]:
         return "The model has no links, so nothing can collide."
-    gap = f"{span((one['gap'] for one in found['links'].values()), 1e-3)} mm"
+    sizes = span((one["gap"] for one in found["links"].values()), 1e-3)
+    gap, verb = (f"gaps of {sizes} mm", "are") if " to " in sizes else (f"gap of {sizes} mm", "is")
     if "required_gap" not in found:
         force = f"; {rank} of the records have link forces of at most {number(found['force'][rank], 1e3)} kN"
         has_force = contacts and "force" in found
-        return f"Contact in {contacts} of {count} records with the gap of {gap}{force if has_force else ''}."
+        return f"Contact in {contacts} of {count} records with the {gap}{force if has_force else ''}."
     required = found["required_gap"][rank]
     need = (
         f"{rank} of the records need at most {number(required, 1e-3, 4)} mm"
@@ -101,9 +109,9 @@ def verdict(found: Found, rank: str) -> str:
         else f"no gap is sufficient for {rank} of the records, because structures do not survive without links"
     )
     if not contacts:
-        return f"The gap of {gap} is enough in all {count} records; {need}."
+        return f"The {gap} {verb} enough in all {count} records; {need}."
     among = f"all {count}" if contacts == count > 1 else f"{contacts} of {count}"
-    return f"The gap of {gap} is exceeded in {among} records; {need}.{_worst(found)}"
+    return f"The {gap} {verb} exceeded in {among} records; {need}.{_worst(found)}"
 
 
 def _worst(found: Found) -> str:
@@ -173,3 +181,24 @@ def _draw(figure: Figure, box: Box, suite: Suite, grid: Sequence[Sequence[tuple[
         ncols=5,
         fontsize=LETTERS,
     )
+
+
+def _draw_spectra(figure: Figure, box: Box, scaling: Scaling) -> None:
+    """Spectra of the scaled records with the target, and the fit of their mean."""
+    left, bottom, width, height = box
+    panels = [
+        axes_in(figure, (left + i * width / 2, bottom, width / 2, height), (0.5, 0.38, 0.12, 0.06)) for i in range(2)
+    ]
+    for factor, spectrum in zip(scaling.factors, scaling.spectra):
+        panels[0].plot(scaling.periods, factor * np.array(spectrum) / GRAVITY, color="0.5", linewidth=0.5, alpha=0.6)
+    panels[0].plot(scaling.periods, scaling.mean / GRAVITY, color=WITH, linewidth=1.8)
+    panels[0].plot(scaling.periods, np.array(scaling.sa) / GRAVITY, color="black", linestyle=(0, (3, 1.5)))
+    panels[1].plot(scaling.periods, scaling.fit, color=WITH, linewidth=1.8)
+    panels[1].axhline(1.0, color="black", linestyle=(0, (3, 1.5)))
+    if scaling.fraction:
+        panels[1].axhline(scaling.fraction, color="0.4", linewidth=0.8)
+    for axes, label in zip(panels, ("spectrum [g]", "mean / target")):
+        axes.set_xlim(scaling.periods[0], scaling.periods[-1])
+        axes.set_ylim(bottom=0)
+        axes.set_xlabel("period [s]", fontsize=LETTERS)
+        axes.set_ylabel(label, fontsize=LETTERS)

@@ -59,7 +59,8 @@ def floors_tables(found: Found, rank: str) -> Iterator[Table | Paragraph]:
         for each in known:
             title, unit, size = FLOORS[each]
             groups.append((f"{title} ({unit})", len(keys)))
-            every = column([runs[label][each][key][i] for key in keys for i, label in places], size)
+            digits = 3 if each in ("drift_ratio", "acceleration") else 4
+            every = column([runs[label][each][key][i] for key in keys for i, label in places], size, digits)
             cells += [every[k * len(places) : (k + 1) * len(places)] for k in range(len(keys))]
         heads = [[str(i + 1) if label == "with" else "", label][: groups[0][1]] for i, label in places]
         yield Table(
@@ -74,9 +75,11 @@ def floors_tables(found: Found, rank: str) -> Iterator[Table | Paragraph]:
         yield Paragraph(f"{len(structures) - STRUCTURES} more structures {TABLE}.")
 
 
-def _statistics(rows: Sequence[Found], place: str, keys: Sequence[str], scale: float = 1.0) -> list[list[str]]:
+def _statistics(
+    rows: Sequence[Found], place: str, keys: Sequence[str], scale: float = 1.0, digits: int = 4
+) -> list[list[str]]:
     """[key][row] cells of the statistics in `place` of rows, with the same number of decimals."""
-    every = column([one[place][key] if place in one else None for key in keys for one in rows], scale)
+    every = column([one[place][key] if place in one else None for key in keys for one in rows], scale, digits)
     return [every[i * len(rows) : (i + 1) * len(rows)] for i in range(len(keys))]
 
 
@@ -139,7 +142,7 @@ def links_table(found: Found, rank: str) -> Table:
         ("opening (mm)", "opening", 1e-3),
     ):
         if any(key in one for one in rows):
-            cells += _statistics(rows, key, keys, scale)
+            cells += _statistics(rows, key, keys, scale, 3 if key == "impacts" else 4)
             groups.append((title, len(keys)))
     return Table(
         ["link", "gap (mm)", *keys * (len(groups) - 1)],

@@ -16,6 +16,7 @@ import pounding
 from pounding import yaml_text
 from pounding.errors import InputError
 from pounding.report.html_page import html_page
+from pounding.report.pdf_pages import page_figures
 from pounding.report.suite_content import report_of_suite
 from pounding.studies.batches import FAILED
 from pounding.studies.suite import Suite
@@ -170,6 +171,8 @@ class Verdicts(Folder):
         assert_mentions(verdict_of(one), ["Contact in 4 of 4 records", "1 mm", f"{force:.0f} kN"])
         assert_mentions(page_of(one).text(), ["compare: no_pounding"])
         assert_mentions(verdict_of(self.suite(pair(links=[]))), ["no links"])
+        links = [{**pair()._parts()["links"][0], "gap": gap, "name": gap[:1]} for gap in ("1 mm", "2 mm")]
+        assert_mentions(verdict_of(self.suite(pair(links=links))), ["gaps of 1 to 2 mm"])
 
     def test_collapsed_records_are_infinite_and_named(self):
         building = {
@@ -212,7 +215,19 @@ class Pages(Folder):
                  "Results", "displacement (mm)", "without", "Links", "opening (mm)", "Warnings", "tolerance 0.001"]  # fmt: skip
         assert_mentions(page.text(), [*parts, one.sha256, pounding.__version__])
         self.assertEqual(page.tags.count("svg"), len(page.labels))
-        self.assertTrue(page.labels and all(page.labels))
+        assert_mentions(" ".join(page.labels), ["over the height", "spectra"])
+
+    def test_pictures_have_the_curves_of_the_suite(self):
+        one = self.suite(pair(compare="no_pounding"), scale_to=SCALE)
+        figure = page_figures(report_of_suite(one))[0]
+        curves = {axes.get_ylabel(): [line.get_ydata() for line in axes.lines] for axes in figure.axes}
+        np.testing.assert_allclose(curves["mean / target"][0], one.scaling.fit)
+        self.assertEqual(len(curves["spectrum [g]"]), len(NAMES) + 2)
+        np.testing.assert_allclose(curves["spectrum [g]"][-1], np.array(one.scaling.sa) / 9.80665)
+        panel = next(axes for axes in figure.axes if axes.get_xlabel() == "displacement [mm]")
+        widths = [line.get_xdata()[0] for line in panel.lines if line.get_linewidth() > 1]
+        expected = [one.floors("left", "displacement", alone=alone).mean() * 1e3 for alone in (True, False)]
+        np.testing.assert_allclose(widths[::2], expected)
 
     def test_a_pair_of_frames_with_eleven_records_fits_two_pages(self):
         model = pounding.Model.from_file(Path(__file__).parents[3] / "examples/17_uneven_pair/model.yaml")
