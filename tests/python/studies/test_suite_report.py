@@ -99,6 +99,7 @@ class Numbers(Folder):
         self.assertEqual(len(missing_numbers(changed, of_json(one))), count)
 
     def test_worst_members_have_the_largest_ratios_of_means(self):
+        write_records(self.folder, NAMES, peak=30.0)
         one = self.suite(self.compared_bents())
         ratios = {}
         for name in one.structures:
@@ -109,6 +110,7 @@ class Numbers(Folder):
                     if both[0][i, j] >= 0.1 * both[0][:, j].max() > 0:
                         ratios[name, member, kind] = both[0][i, j] / both[1][i, j]
         rows = of_json(one)["worst"]["members"]
+        self.assertGreater(rows[0]["ratio"], 1.05)
         self.assertEqual([row["ratio"] for row in rows], sorted(ratios.values(), reverse=True)[:5])
         for row in rows:
             self.assertEqual(row["ratio"], ratios[row["structure"], row["member"], row["component"]])
