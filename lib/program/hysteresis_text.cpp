@@ -6,6 +6,7 @@
 #include <variant>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <pounding/hysteresis/all.hpp>
 
@@ -49,6 +50,18 @@ std::string_view need_text(laws::Need need) {
   return "";
 }
 
+nlohmann::json typical_json(const laws::ParameterInfo& parameter) {
+  if (parameter.is_flag) return parameter.typical != 0;
+  if (parameter.is_list()) return std::vector(parameter.typical_list.begin(), parameter.typical_list.end());
+  return parameter.typical;
+}
+
+std::string typical_text(const laws::ParameterInfo& parameter) {
+  if (parameter.is_flag) return parameter.typical != 0 ? "true" : "false";
+  if (parameter.is_list()) return fmt::format("[{:g}]", fmt::join(parameter.typical_list, ", "));
+  return fmt::format("{:g}", parameter.typical);
+}
+
 nlohmann::json law_json(const hysteresis::Entry& entry) {
   nlohmann::json law = table_json(entry);
   law["has_corners"] = entry.has_corners;
@@ -69,7 +82,7 @@ void print_law(const hysteresis::Entry& entry) {
       entry.symbols, entry.range, entry.beware, entry.source);
   fmt::print("\n  {:<22}{:<8}{:>10}\n", "parameter", "unit", "typical");
   for (const hysteresis::ParameterInfo& p : entry.parameters)
-    fmt::print("  {:<22}{:<8}{:>10}  {} ({})\n", p.name, p.unit, fmt::format("{:g}", p.typical), p.meaning,
+    fmt::print("  {:<22}{:<8}{:>10}  {} ({})\n", p.name, p.unit, typical_text(p), p.meaning,
                need_text(p.need));
   for (const hysteresis::ChoiceInfo& c : entry.choices)
     fmt::print("  {:<22}{:<8}{:>10}  {} ({})\n", c.name, "", c.words.front(), c.meaning, fmt::join(c.words, " or "));

@@ -13,6 +13,11 @@ namespace pounding::program {
 
 std::string_view need_text(laws::Need need);
 
+/// Typical value as typed in a model: a number, a list, or true or false.
+nlohmann::json typical_json(const laws::ParameterInfo& parameter);
+/// The same as text.
+std::string typical_text(const laws::ParameterInfo& parameter);
+
 /// Texts and parameters of a contact law or a hysteretic law.
 template <class Entry>
 nlohmann::json table_json(const Entry& entry) {
@@ -24,7 +29,7 @@ nlohmann::json table_json(const Entry& entry) {
     law["parameters"].push_back({{"name", p.name},
                                  {"unit", p.unit},
                                  {"meaning", p.meaning},
-                                 {"typical", p.typical},
+                                 {"typical", typical_json(p)},
                                  {"need", need_text(p.need)}});
   return law;
 }

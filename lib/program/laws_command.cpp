@@ -74,7 +74,7 @@ void print_parameters(const laws::Entry& entry) {
   };
   fmt::print("\n  {:<22}{:<14}{:>10}\n", "parameter", "unit", "typical");
   for (const laws::ParameterInfo& p : entry.parameters)
-    line(p.name, p.unit, fmt::format("{:g}", p.typical), p.meaning, need_text(p.need));
+    line(p.name, p.unit, typical_text(p), p.meaning, need_text(p.need));
   if (entry.takes_restitution)
     line("restitution", "", fmt::format("{:g}", laws::typical_restitution),
          entry.sticks_at_zero ? "coefficient of restitution e, in [0, 1]" : "coefficient of restitution e, in (0, 1]",

@@ -1,4 +1,4 @@
-/// `report`, and the reports of `run`: written by Python.
+/// `report` of runs and suites, and the reports of `run`: written by Python.
 
 #include <algorithm>
 #include <filesystem>
@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include <pounding/core/error.hpp>
+#include <pounding/results/checked_file.hpp>
 #include <pounding/results/hdf5.hpp>
 #include <pounding/results/replaced_file.hpp>
 #include "program/commands.hpp"
@@ -81,14 +82,17 @@ void add_report(CLI::App& app) {
     std::string results, report;
   };
   const auto options = std::make_shared<Options>();
-  CLI::App* command = app.add_subcommand("report", "Write a report of a results file: .pdf or .html");
-  command->add_option("results", options->results, "results file of `pounding run`")->required();
+  CLI::App* command = app.add_subcommand("report", "Write a report of a run or a suite: .pdf or .html");
+  command->add_option("results", options->results, "results file of `pounding run`, or table of `pounding suite`")
+      ->required();
   is_report(command->add_option("-o,--output", options->report,
                                 "report: .pdf or .html (default: RESULTS.pdf in the current folder)"));
   command->callback([options] {
     std::string report = options->report;
     if (report.empty()) report = std::filesystem::path(options->results).filename().replace_extension(".pdf").string();
     ReplacedFile(report, run_report_files).require_free();
+    // Suites need the compiled part of the package.
+    if (is_study_table(options->results)) become_python("report", {"-o", report, "--", options->results});
     write_report(options->results, report);
     fmt::print("report       {}\n", report);
   });

@@ -84,7 +84,7 @@ void SpectrumArguments::add_to(CLI::App& command) {
 }
 
 std::vector<double> SpectrumArguments::read_periods() const {
-  const std::string text = !periods.empty() ? periods : picture.empty() ? "0.02:4:50" : "0.02:4:200";
+  const std::string text = periods ? *periods : picture.empty() ? "0.02:4:50" : "0.02:4:200";
   const auto fail = [&]() -> InputError {
     return InputError(
         fmt::format("--periods: type first:last:count with 0 < first < last and count from 2 to 10000, such as "

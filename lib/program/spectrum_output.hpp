@@ -1,6 +1,7 @@
 #pragma once
 /// Options and output shared by `record spectrum` and `spectrum`.
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,7 +14,7 @@ namespace pounding::program {
 /// Computation and destination of a spectrum.
 struct SpectrumArguments {
   std::string damping = "5 %", csv, picture;
-  std::string periods;  ///< empty: 0.02:4:50, with a picture 0.02:4:200
+  std::optional<std::string> periods{};  ///< default: 0.02:4:50, with a picture 0.02:4:200
 
   /// Adds --damping, --periods, --csv and --picture.
   void add_to(CLI::App& command);

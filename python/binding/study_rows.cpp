@@ -163,7 +163,7 @@ py::dict numbers_of(const Summary& summary) {
   for (const LinkSummary& l : summary.links)
     links.append(py::dict("name"_a = l.name, "impacts"_a = l.impacts, "peak_force"_a = l.peak_force,
                           "peak_penetration"_a = l.peak_penetration, "impulse"_a = l.impulse,
-                          "energy_lost"_a = l.energy_lost));
+                          "energy_lost"_a = l.energy_lost, "largest_opening"_a = l.largest_opening));
   for (const LinkSeparation& s : summary.separations)
     separations.append(py::dict("link"_a = s.link, "enough"_a = s.enough, "left"_a = s.left, "right"_a = s.right,
                                 "abs"_a = s.absolute_sum, "srss"_a = s.srss, "ddc"_a = s.ddc));

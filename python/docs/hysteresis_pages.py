@@ -14,7 +14,7 @@ import sys
 from functools import partial
 
 from generated_pages import ROOT, arguments, write_or_compare
-from law_pages import table
+from law_pages import table, typical
 
 PAGES = ROOT / "elements/pounding/hysteresis/pages"
 FIRST, TURNS = 2.5, "-1.2, 0.4, -3.6, -3.1, -3.4, 1, 0.2, 4.5, 0"
@@ -50,9 +50,7 @@ def page(law, rows):
     for key, title in (("source", "Source"), ("range", "Range"), ("beware", "Limitations")):
         lines += [f"**{title}:** {law[key]}.", ""]
     lines += [f"![Force over deformation]({name}.png)", "", "## Parameters", ""]
-    shown = [
-        (f"`{p['name']}`", p["unit"] or "-", f"{p['typical']:g}", p["meaning"], p["need"]) for p in law["parameters"]
-    ]
+    shown = [(f"`{p['name']}`", p["unit"] or "-", typical(p), p["meaning"], p["need"]) for p in law["parameters"]]
     shown += [
         (f"`{c['name']}`", "-", f"`{c['words'][0]}`", c["meaning"], " or ".join(f"`{word}`" for word in c["words"]))
         for c in law["choices"]

@@ -50,7 +50,7 @@ class Program:
 
         asked = f", restitution: {RESTITUTION}" if law["restitution"] else ""
         chosen = f", formula: {formula}" if formula else ""
-        given = "".join(f", {p['name']}: {p['typical']}" for p in law["parameters"] if p["need"] == "required")
+        given = "".join(f", {p['name']}: {typical(p)}" for p in law["parameters"] if p["need"] == "required")
         model = (
             f"structures:\n  a: {{body: {{mass: {MASSES[0]}}}, initial_velocity: {SPEED} m/s}}\n  b: {{body: {{mass: {MASSES[1]}}}}}\n"
             f"links: [{{between: [a, b], gap: 1 mm, law: {law['name']}{given}{asked}{chosen}}}]\n"
@@ -92,10 +92,16 @@ def table(head, rows, right=()):
     ]
 
 
+def typical(parameter):
+    """The typical value of a parameter, as it is typed: a number, a list of numbers, or true."""
+    value = parameter["typical"]
+    if isinstance(value, bool):
+        return str(value).lower()
+    return f"[{', '.join(f'{one:g}' for one in value)}]" if isinstance(value, list) else f"{value:g}"
+
+
 def parameters(law):
-    rows = [
-        (f"`{p['name']}`", p["unit"] or "-", f"{p['typical']:g}", p["meaning"], p["need"]) for p in law["parameters"]
-    ]
+    rows = [(f"`{p['name']}`", p["unit"] or "-", typical(p), p["meaning"], p["need"]) for p in law["parameters"]]
     if law["restitution"]:
         direct = any(p["need"].startswith("instead") for p in law["parameters"])
         rows.append(
@@ -178,7 +184,7 @@ def page(law, rows):
         lines += [f"**{title}:** {law[key]}.", ""]
     lines += [
         f"In a model: `law: {name}`"
-        + "".join(f", `{p['name']}: {p['typical']:g}`" for p in law["parameters"] if p["need"] == "required")
+        + "".join(f", `{p['name']}: {typical(p)}`" for p in law["parameters"] if p["need"] == "required")
         + (f", `restitution: {RESTITUTION}`" if law["restitution"] else "")
         + ".",
         "",

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
-from typing import Any, NamedTuple, Protocol, TypeVar
+from typing import Any, NamedTuple, Protocol, TypeVar, cast
 
 import numpy as np
 import numpy.typing as npt
@@ -126,7 +126,7 @@ class Law:
         given = {name: value for name, value in parameters.items() if value is not None}
         exponent = next((p.typical for p in kind.parameters if p.name == "exponent"), 1.0)
         if "exponent" in given:
-            exponent = number_in("exponent", given["exponent"], "")
+            exponent = number_in("exponent", cast("float | str", given["exponent"]), "")
         self.kind = kind
         self.formula = optional(text)("formula", formula)
         self.restitution = None if restitution is None else number_in("restitution", restitution, "")

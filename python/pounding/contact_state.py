@@ -12,9 +12,9 @@ from pounding.errors import InputError
 class ContactState:
     """State of the contact of two bodies with a law, from `Law.start()`. As in the C interface:
 
-        state = law.start()
-        force, by_penetration, by_rate = state.respond(penetration, rate)    # any number of times: changes nothing
-        state.accept(penetration, rate)                                      # once per accepted step
+        state = Law("hertz", stiffness="2.75 GN/m^1.5").start()
+        force, by_penetration, by_rate = state.respond(1e-3, 0.2)    # any number of times: changes nothing
+        state.accept(1e-3, 0.2)                                      # once per accepted step
 
     `accept` begins an impact at the first state in which the bodies overlap, with its rate as closing speed, and ends it
     when they no longer do. A program that locates these instants calls `touch` and `separate` there, and `accept` for the

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, cast
 
 import numpy as np
 
@@ -52,12 +52,12 @@ def numbers_of(parameters: Iterable[Parameter], given: Mapping[str, Given], expo
         if of and of.kind == "flag" and not (isinstance(value, (int, float)) and value in (0, 1)):
             numbers[name] = float(flag(name, value))
         elif of and of.kind == "flag":
-            numbers[name] = float(value)
+            numbers[name] = float(bool(value))
         elif of and of.kind == "list" and not isinstance(value, (str, bool)) and np.ndim(value) == 1:
-            items = {f"{name}[{i}]": item for i, item in enumerate(value, 1)}
+            items = {f"{name}[{i}]": item for i, item in enumerate(cast("Sequence[float | str]", value), 1)}
             numbers |= {item: number_in(item, one, unit, exponent) for item, one in items.items()}
         else:
-            numbers[name] = number_in(name, value, unit, exponent)
+            numbers[name] = number_in(name, cast("float | str", value), unit, exponent)
     return numbers
 
 

@@ -2,6 +2,7 @@
 sentences, programs in docstrings and in the header of the C interface. The environment is that of test_readme_lines."""
 
 import ast
+import contextlib
 import importlib.util
 import inspect
 import os
@@ -145,12 +146,12 @@ class CommandsInSentences(Lines):
                         "stand_in.yaml": "yields.yaml",
                         "hertz": "left",
                         "record.at2": "floors.txt",
-                        "-o": "-opushed.h5",
+                        "out.h5": "pushed.h5",
                     }
-                    words = [given.get(word, word) for word in words]
+                    words = [given.get(word, word) for word in words] + ["pushed.h5"] * (words[-1] == "-o")
                     if len(words) == 2:  # an option without an argument
                         words += ["yields.yaml", "--structure", "left", "--to", "2 % roof"]
-                if words[0] == "plot" and words[-1] in ("loops", "hinges", "worst"):  # needs yielding parts
+                if words[0] == "plot" and {"loops", "hinges", "worst"} & set(words):  # needs yielding parts
                     (self.folder / "yields.yaml").write_text(YIELDS)
                     self.done(part("POUNDING_PROGRAM"), "run", "yields.yaml", "-q", "-o", "yields.h5")
                     words = ["yields.h5" if word == "out.h5" else word for word in words]
@@ -164,6 +165,9 @@ class CommandsInSentences(Lines):
                         "space.h5",
                     )
                     words = ["space.h5" if word == "out.h5" else word for word in words]
+                if words[0] == "suite":
+                    (self.folder / "suite.yaml").write_text(f"{STAND_IN}records: {{files: record.at2}}\n")
+                    words = ["suite.yaml" if word == "stand_in.yaml" else word for word in words]
                 words = short_film(words)
                 if tuple(words) in tried:
                     continue
@@ -234,7 +238,12 @@ class CallsInSentences(Lines):
                 yields.write_text(YIELDS)
                 self.names["pounding"].pushover(yields, "left", to="2 % roof", output=pushed)
                 code = code.replace('"model.yaml"', repr(str(yields))).replace("FILE", repr(str(pushed)))
-            eval(code, self.names | ({"FILE": model} if code.startswith("Model") else {}))
+            names = self.names | ({"FILE": model} if code.startswith("Model") else {})
+            if code.startswith("suite."):
+                records = {"synthetic": {"count": 3, "duration": "1 s", "pga": "0.3 g"}}
+                names["suite"] = self.names["suite"](pounding.Model.from_file(model), records, workers=0)
+            with contextlib.chdir(self.folder):  # some write files
+                eval(code, names)
             return
         function = eval(code[: code.index("(")], self.names)
         known = inspect.signature(function).parameters

@@ -128,7 +128,7 @@ TEST(DeviceInput, ReportsTheLocationOfErrors) {
   expect(inside("{storey: 1, bouc_wen: {stiffness: 1 MN/m, yield_force: 1 kN}, bilinear: {stiffness: 1 MN/m, "
                 "yield_force: 1 kN}}"),
          {});
-  expect(inside("{storey: 1, damper: {coefficient: 2e5, exponent: 1.5, stiffness: 40 MN/m}}"), {});
+  expect(inside("{storey: 1, damper: {coefficient: 2e5, exponent: 2.5, stiffness: 40 MN/m}}"), {"exponent", "2"});
   expect(
       inside("{storey: 1, damper: {coefficient: 2e5, exponent: 0.5, stiffness: 40 MN/m, rounding_velocity: 1 mm/s}}"),
       {"damper.rounding_velocity"});

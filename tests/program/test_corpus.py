@@ -315,7 +315,7 @@ class Records(CorpusTest):
         for name in ("/dev/zero", ".", "pipe", "nothing"):
             if name == "pipe":
                 os.mkfifo(self.folder / name)
-            self.refused("record", "info", name, facts=["found"])
+            self.refused("record", "info", name, facts=["folder" if name == "." else "found"])
 
 
 if __name__ == "__main__":

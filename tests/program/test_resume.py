@@ -230,7 +230,8 @@ class Frequency(Resumed):
         run.communicate()
 
     def test_stands_in_the_resolved_model(self):
-        checked = self.pounding("check", self.write(model(more="checkpoint: {every: 2 min, every_simulated: 1}\n")))
+        file = self.write(model(more="checkpoint: {every: 2 min, every_simulated: 1}\n"))
+        checked = self.pounding("check", file, "--resolved")
         assert_mentions(checked.stdout, ["every_simulated", "120"])
 
     def test_must_be_given_with_its_key(self):

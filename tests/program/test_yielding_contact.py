@@ -192,4 +192,4 @@ class YieldingContact(ProgramTest):
         )
         done = self.pounding("check", "model.yaml")
         self.assertEqual(done.returncode, 2)
-        assert_mentions(done.stderr, ["storey 2", "stiffness", "2e+07"])
+        assert_mentions(done.stderr, ["multilinear_elastic", "stiffness", "2e+07"])

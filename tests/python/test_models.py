@@ -136,14 +136,13 @@ class Words(unittest.TestCase):
                 self.assertEqual(f"pounding: {caught.exception}\n", done.stderr)
                 self.assertRegex(str(caught.exception), r"model\.yaml:\d+:\d+: ")
 
-    def test_mistakes_in_code_are_placed_in_its_text(self):
+    def test_mistakes_in_code_are_placed_by_their_key(self):
         model = two_oscillators()
         model.links[0]["gap"] = "20 s"
         with self.assertRaises(pounding.InputError) as caught:
             pounding.check(model)
-        line, column = map(int, str(caught.exception).split(":")[1:3])
-        self.assertTrue(model.to_yaml().splitlines()[line - 1][column - 1 :].startswith("20 s"))
-        assert_mentions(str(caught.exception), ["links[0].gap", "20 mm", "[0]"])
+        assert_mentions(str(caught.exception), ["links[0].gap", "20 mm"])
+        self.assertNotRegex(str(caught.exception), r":\d+:\d+:")
 
     def test_texts_that_are_no_utf8_are_refused_with_their_place(self):
         file = self.folder / "model.yaml"

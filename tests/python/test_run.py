@@ -551,6 +551,8 @@ class Tables(RunTest):
                 f"links/{next(iter(self.results.links))}",
                 "structures/left",
                 "structures/right",
+                "envelopes/left",
+                "envelopes/right",
             ],
         )
         left = tables["structures/left"]

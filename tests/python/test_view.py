@@ -172,7 +172,13 @@ class Files(unittest.TestCase):
         self.folder = Path(folder.name)
 
     def command(self, *words):
-        return subprocess.run([PROGRAM, "view", *map(str, words)], cwd=self.folder, capture_output=True, text=True)
+        return subprocess.run(
+            [PROGRAM, "view", *map(str, words)],
+            cwd=self.folder,
+            capture_output=True,
+            text=True,
+            env={**os.environ, "POUNDING_PYTHON": sys.executable},
+        )
 
     def test_every_kind_of_lesson_has_a_view(self):
         for lesson in ("01_ball_on_wall", "05_moat_wall", "12_isolated_frame", "18_coupled_pair", "20_hinge_frames"):

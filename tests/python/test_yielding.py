@@ -34,7 +34,8 @@ class Yielding(unittest.TestCase):
             np.testing.assert_allclose(
                 cut.work[6::7], coarse.work, rtol=0, atol=1e-10 * coarse.work.max(), err_msg=name
             )
-            self.assertGreater(coarse.lost[-1], 0)
+            is_elastic = name in ("multilinear_elastic", "uplift")
+            self.assertEqual(coarse.lost[-1] > 1e-9 * size * law.yield_deformation, not is_elastic, name)
 
     def test_RowsArePathsOfTheirOwn(self):
         law = pounding.hysteresis["menegotto_pinto"](**STEEL, memory="last")

@@ -85,7 +85,7 @@ TEST(HystereticSpring, StoresAndLosesTheWorkDoneOnItByEveryLaw) {
     }
     const double stored = 0.5 * k * last.penetration * last.penetration + spring->stored_correction();
     EXPECT_NEAR(stored + spring->lost(), work, 1e-4 * work) << entry.name;
-    const bool is_elastic = entry.name == "multilinear_elastic";
+    const bool is_elastic = entry.name == "multilinear_elastic" || entry.name == "uplift";
     EXPECT_EQ(spring->lost() > 0.05 * k * dy * dy, !is_elastic) << entry.name;
   }
 }
@@ -145,7 +145,7 @@ TEST(HystereticSpring, SaysHowTheSlopeJumpsWhereItTurnsByEveryLaw) {
       spring->accept(step(begin, end));
     }
     EXPECT_GT(compared, 200) << settings.law;
-    EXPECT_EQ(jumps > 10, settings.law != "multilinear_elastic") << settings.law << " " << jumps;
+    EXPECT_EQ(jumps > 10, settings.law != "multilinear_elastic" && settings.law != "uplift") << settings.law << " " << jumps;
   }
 }
 

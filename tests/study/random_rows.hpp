@@ -10,6 +10,8 @@
 #include <string_view>
 #include <vector>
 
+#include <fmt/format.h>
+
 #include <pounding/elements.hpp>
 #include <pounding/run/run.hpp>
 #include <pounding/study/kernel.hpp>
@@ -108,7 +110,10 @@ class RandomRow {
     gap_ = 0.04 * u() * u(), phase_ = 6 * u();
     settings_ = laws::typical_settings(entry_);
     settings_.reduced_mass = m1_ * m2_ / (m1_ + m2_);
-    settings_.values.at(entry_.parameters[0].name.data()) *= std::pow(4, u() - 0.5);
+    const std::string_view first = entry_.parameters[0].name;
+    const double factor = std::pow(4, u() - 0.5);
+    for (auto& [name, value] : settings_.values)
+      if (name == first || name.starts_with(fmt::format("{}[", first))) value *= factor;  // all items of a list
     if (settings_.restitution) settings_.restitution = 0.4 + 0.5 * u();
     // adams_impact integrates impacts at every touch to meet a restitution, which costs a hundred times the rest: one
     // row in twenty does so.

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,7 @@
 #include <pounding/laws/free_impact.hpp>
 #include "support/book.hpp"
 #include "support/runs.hpp"
+#include "support/typical.hpp"
 
 namespace pounding {
 namespace free_impact_test {
@@ -30,7 +32,7 @@ std::vector<Case> cases() {
     if (entry.instantaneous) continue;
     std::string parameters;
     for (const laws::ParameterInfo& p : entry.parameters)
-      if (p.need == laws::Need::required) parameters += fmt::format(", {}: {}", p.name, p.typical);
+      if (p.need == laws::Need::required) parameters += fmt::format(", {}: {}", p.name, test::typical_yaml(p));
     if (entry.formulas.empty()) all.push_back({std::string(entry.name), "", parameters});
     for (const laws::Formula& f : entry.formulas)
       all.push_back({std::string(entry.name), std::string(f.name), parameters});
@@ -67,10 +69,10 @@ TEST_P(FreeImpact, OfTheTimeIntegrationAgreesWithTheCompanion) {
       continue;
     }
     const Outcome run = test::run_text(yaml);
-    laws::Settings settings{.law = c.law, .formula = c.formula, .reduced_mass = mass};
-    if (!c.formula.empty()) settings.restitution = requested;
-    for (const laws::ParameterInfo& p : laws::find_law(c.law).parameters)
-      if (p.need == laws::Need::required) settings.values.emplace(p.name, p.typical);
+    laws::Settings settings = laws::typical_settings(laws::find_law(c.law));
+    settings.formula = c.formula;
+    settings.reduced_mass = mass;
+    settings.restitution = c.formula.empty() ? std::nullopt : std::optional(requested);
     const laws::FreeImpact expected = laws::free_impact(laws::make_law(settings), mass, speed);
 
     SCOPED_TRACE(fmt::format("target {}", requested));

@@ -24,7 +24,7 @@ namespace pounding::hysteresis {
 /// Known as MultiLinear Elastic link (SAP2000) and ElasticMultiLinear material (OpenSees).
 struct MultilinearElastic {
   static constexpr std::string_view name = "multilinear_elastic",
-                                    shape = "f = f_i + (f_{i+1}-f_i) (d-d_i)/(d_{i+1}-d_i)";
+                                    shape = "f = f_i + (f_j-f_i) (d-d_i)/(d_j-d_i), j = i+1";
   static constexpr std::string_view summary = "nonlinear elastic curve through given points (ElasticMultiLinear)";
   static constexpr std::string_view source = "SAP2000 MultiLinear Elastic link; OpenSees ElasticMultiLinear";
   static constexpr std::string_view symbols = "d_i [m], f_i [N] points of the curve, which passes through (0, 0)";

@@ -41,7 +41,7 @@ struct ElasticPlasticGap {
   double damage = -1;      ///< 1: the plastic deformation is added to the gap, 0: it is recovered
 
   static constexpr std::array parameters{
-      Parameter{{"stiffness", "N/m", "contact stiffness k", 1e8}, &ElasticPlasticGap::stiffness},
+      Parameter{{"stiffness", "N/m", "contact stiffness k", 1e9}, &ElasticPlasticGap::stiffness},
       Parameter{{"yield_force", "N", "yield force Fy", 2e6}, &ElasticPlasticGap::yield_force},
       Parameter{{"hardening", "", "ratio a of post-yield to initial stiffness", 0.02}, &ElasticPlasticGap::hardening},
       Parameter{{"damage",

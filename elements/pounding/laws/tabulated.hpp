@@ -16,7 +16,7 @@ namespace pounding::laws {
 /// d_i > 0 [m] penetrations, increasing; F_i [N] forces, not decreasing, the first one above zero. The point (0, 0) may
 /// be given.
 struct Tabulated {
-  static constexpr std::string_view name = "tabulated", shape = "F = F_i + (F_{i+1}-F_i) (d-d_i)/(d_{i+1}-d_i)";
+  static constexpr std::string_view name = "tabulated", shape = "F = F_i + (F_j-F_i) (d-d_i)/(d_j-d_i), j = i+1";
   static constexpr std::string_view summary = "elastic curve through given points, such as those of a bumper";
   static constexpr std::string_view source = "piecewise linear interpolation of measured or specified points";
   static constexpr std::string_view symbols = "d_i [m], F_i [N] points of the curve, which begins at (0, 0)";

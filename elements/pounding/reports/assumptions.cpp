@@ -86,7 +86,7 @@ AssumptionsJson link_json(const Model& model, const Link& link) {
 std::string assumptions_json(const Model& model) {
   AssumptionsJson all{{"title", model.title}};
   if (!model.project.empty()) all["project"] = model.project;
-  all["sha256"] = sha256(model.source_text);
+  if (!model.source_text.empty()) all["sha256"] = sha256(model.source_text);
   all["ground"] = ground_json(model.ground.components);
   if (model.ground.wave) all["wave_velocity"] = model.ground.wave->velocity;
   all["structures"] = AssumptionsJson::object();

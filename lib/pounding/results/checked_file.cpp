@@ -76,6 +76,13 @@ void write_checked_block(std::span<std::byte> file) {
 
 bool begins_results(std::span<const std::byte> start) { return text_of(start).starts_with(first_line); }
 
+bool is_study_table(const std::string& path) {
+  std::array<char, first_line_of_study.size()> start{};
+  std::ifstream file(path, std::ios::binary);
+  file.read(start.data(), start.size());
+  return std::string_view(start.data(), static_cast<std::size_t>(file.gcount())) == first_line_of_study;
+}
+
 void require_whole(const std::string& path) {
   std::error_code error;
   const std::filesystem::file_status status = std::filesystem::status(path, error);

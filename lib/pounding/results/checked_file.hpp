@@ -17,6 +17,9 @@ void write_checked_block(std::span<std::byte> file);
 /// True if bytes from the start of a file are those of a results file, intact or damaged.
 bool begins_results(std::span<const std::byte> start);
 
+/// True if `path` is the table of a study or a suite, intact or damaged; false if it cannot be read.
+bool is_study_table(const std::string& path);
+
 /// Throws InputError unless `path` is an intact results file: for a file that is unreadable, was written by another
 /// program or an earlier version, or was truncated or changed. Reads the file once, at the speed of zlib's crc32 (1
 /// GB/s or more).

@@ -18,7 +18,7 @@ from pounding.spectra import Spectrum
 
 if TYPE_CHECKING:
     from pounding.report.blocks import Report
-    from pounding.studies.suite import Suite
+    from pounding.studies.suite_data import SuiteData
 
 File = str | PathLike[str]
 
@@ -39,7 +39,7 @@ def write_report(run: RunData, path: File, *, spectra: Sequence[Spectrum] = ()) 
 
 
 @takes(path=arguments.file, percent=arguments.number(0, 100))
-def write_suite_report(suite: Suite, path: File, *, percent: float = 84.0) -> None:
+def write_suite_report(suite: SuiteData, path: File, *, percent: float = 84.0) -> None:
     """Writes the report of a suite, .pdf or .html, with this percentile. Raises the same errors as `write_report`, and
     InputError for the table of a study."""
     require_report(path)
@@ -65,6 +65,8 @@ def _write(report: Report, path: File) -> None:
 
             temporary.write_text(html_page(report), encoding="utf-8")
         else:
+            from pounding.pictures.style import one_warning_for_missing_letters
             from pounding.report.pdf_pages import write_pdf
 
-            write_pdf(report, temporary)
+            with one_warning_for_missing_letters():
+                write_pdf(report, temporary)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from pounding.comparison import WORST, measure, worst
-from pounding.report.blocks import NONE, Paragraph, Table, column, cut, number, ratio
+from pounding.report.blocks import NONE, Paragraph, Table, column, number, ratio
 
 #: Rows of the table of floors, of links, and of impacts.
 FLOORS, LINKS, IMPACTS = 24, 10, 5

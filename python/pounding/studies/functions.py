@@ -98,5 +98,8 @@ def functions_of(given: Any) -> tuple[tuple[Function, ...], Any]:
         return (Function(given),), []
     if given is None or isinstance(given, str):
         return (), given
-    items = list(given)
+    try:
+        items = list(given)
+    except TypeError:  # neither a list nor one quantity, which the reader of quantities refuses
+        return (), given
     return tuple(Function(one) for one in items if callable(one)), [one for one in items if not callable(one)]

@@ -147,7 +147,7 @@ class Rows:
         unit = self.units.get(name, "")
         try:
             return float(core.quantity(value, unit)) if unit else float(value)
-        except ValueError as error:
+        except (ValueError, TypeError) as error:
             raise InputError(
                 f"{name}: takes a value{f' in {unit}' if unit else ' without a unit'}; {value} was read ({error})"
             ) from None

@@ -14,7 +14,8 @@ from pounding.report import require_report
 from pounding.studies.options import add_percentile, at_least, warn
 from pounding.studies.progress import duration_text
 from pounding.studies.study import records_folder
-from pounding.studies.suite import PERCENTS, read_suite, run_suite
+from pounding.studies.suite import read_suite, run_suite
+from pounding.studies.suite_data import PERCENTS
 from pounding.studies.suite_report import report, summary
 
 

@@ -8,6 +8,7 @@
 
 #include <cctype>
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <memory>
 #include <numbers>
@@ -90,7 +91,7 @@ Rebound strike(double degrees, Compliance compliance) {
 
 // The columns of measured.csv and computed.csv.
 std::vector<std::vector<double>> table(const std::string& name) {
-  std::ifstream file(std::string(SPHERE_ON_GLASS) + "/" + name);
+  std::ifstream file(std::filesystem::path(SPHERE_ON_GLASS) / name);
   std::vector<std::vector<double>> rows;
   for (std::string line; std::getline(file, line);) {
     if (line.empty() || !(std::isdigit(static_cast<unsigned char>(line[0])) || line[0] == '-')) continue;

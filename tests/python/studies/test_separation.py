@@ -108,7 +108,8 @@ class Statistics(Separations):
         [one] = found["codes"]
         exceeded = sum(record["required"] > one["gap"] for record in found["records"])
         text = " ".join((folder / "README.md").read_text().split())
-        self.assertIn(f"{1e3 * one['gap']:.1f} mm, which {exceeded} of the {len(found['records'])} earthquakes", text)
+        self.assertEqual((exceeded, len(found["records"])), (18, 20))
+        self.assertIn("Eighteen of the twenty earthquakes need more", text)
 
 
 class Conditions(Separations):

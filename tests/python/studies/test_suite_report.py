@@ -278,6 +278,13 @@ class Command(Folder):
         self.command("s.h5", "-o", "two.html", module=["pounding.report"])
         first = (self.folder / "one.html").read_bytes()
         self.assertEqual((self.folder / "two.html").read_bytes(), first)
+        program = [os.environ["POUNDING_PROGRAM"], "report", "s.h5"]
+        done = subprocess.run([*program, "-o", "three.html"], cwd=self.folder, capture_output=True, text=True)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        assert_mentions(done.stdout, ["three.html"])
+        self.assertEqual((self.folder / "three.html").read_bytes(), first)
+        self.assertEqual(subprocess.run(program, cwd=self.folder, capture_output=True).returncode, 0)
+        self.assertGreater((self.folder / "s.pdf").stat().st_size, 10000)
         checksum = hashlib.sha256((self.folder / "suite.yaml").read_bytes()).hexdigest()
         assert_mentions(first.decode(), [checksum])
         for name in ("one.pdf", "two.pdf"):

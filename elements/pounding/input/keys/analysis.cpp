@@ -12,7 +12,7 @@ constexpr std::string_view comparisons[] = {"no_pounding"};
 constexpr Key model_keys[] = {
     {"title", text(), otherwise("no title"), "Title of the model, for reports and pictures.", "Two oscillators"},
     {"project", text(), otherwise("no project"), "Line below the title of a report: project, client, number.",
-     "Main Street 5 and 7, job 1234", "0.3.0"},
+     "Main Street 5 and 7", "0.3.0"},
     {"ground_motion", map(ground_motion), otherwise("no ground motion"),
      "Ground motion of all structures without a separate one.",
      "{harmonic: {amplitude: 3 m/s^2, period: 0.6 s, duration: 3 s}}"},
