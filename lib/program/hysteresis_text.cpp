@@ -82,8 +82,7 @@ void print_law(const hysteresis::Entry& entry) {
       entry.symbols, entry.range, entry.beware, entry.source);
   fmt::print("\n  {:<22}{:<8}{:>10}\n", "parameter", "unit", "typical");
   for (const hysteresis::ParameterInfo& p : entry.parameters)
-    fmt::print("  {:<22}{:<8}{:>10}  {} ({})\n", p.name, p.unit, typical_text(p), p.meaning,
-               need_text(p.need));
+    fmt::print("  {:<22}{:<8}{:>10}  {} ({})\n", p.name, p.unit, typical_text(p), p.meaning, need_text(p.need));
   for (const hysteresis::ChoiceInfo& c : entry.choices)
     fmt::print("  {:<22}{:<8}{:>10}  {} ({})\n", c.name, "", c.words.front(), c.meaning, fmt::join(c.words, " or "));
 }

@@ -156,7 +156,7 @@ def one_impact(law, rows):
             f"{row['peak_force'] / 1e3:.4g}",
             f"{row['peak_penetration'] * 1e3:.4g}",
             f"{row['duration'] * 1e3:.4g}",
-            f"{row['energy_lost'] / 1e3:.3g}",
+            f"{row['energy_lost'] / 1e3 if abs(row['energy_lost']) > 1e-6 else 0:.3g}",  # round-off of elastic laws
         )
         for row in rows
     ]

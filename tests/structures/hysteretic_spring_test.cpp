@@ -145,7 +145,8 @@ TEST(HystereticSpring, SaysHowTheSlopeJumpsWhereItTurnsByEveryLaw) {
       spring->accept(step(begin, end));
     }
     EXPECT_GT(compared, 200) << settings.law;
-    EXPECT_EQ(jumps > 10, settings.law != "multilinear_elastic" && settings.law != "uplift") << settings.law << " " << jumps;
+    EXPECT_EQ(jumps > 10, settings.law != "multilinear_elastic" && settings.law != "uplift")
+        << settings.law << " " << jumps;
   }
 }
 
