@@ -12,7 +12,7 @@ from pounding.errors import InputError
 class ContactState:
     """State of the contact of two bodies with a law, from `Law.start()`. As in the C interface:
 
-        state = Law("hertz", stiffness="2.75 GN/m^1.5").start()
+        state = laws["hertz"](stiffness=2.75e9).start()
         force, by_penetration, by_rate = state.respond(1e-3, 0.2)    # any number of times: changes nothing
         state.accept(1e-3, 0.2)                                      # once per accepted step
 
