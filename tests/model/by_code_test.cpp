@@ -36,8 +36,9 @@ laws::Settings settings_of(const laws::Entry& entry) {
   for (const laws::ParameterInfo& parameter : entry.parameters) {
     if (parameter.name == "stiffness") settings.values["stiffness"] = parameter.unit == "N/m" ? 9.35e7 : 2.75e9;
     if (parameter.name == "depth") settings.values["depth"] = 1e-3;
-    if (entry.name == laws::Backfill::name) settings.values[std::string(parameter.name)] = parameter.typical;
   }
+  for (const std::string_view name : {laws::Backfill::name, laws::ElasticPlasticGap::name, laws::Tabulated::name})
+    if (entry.name == name) settings.values = laws::typical_settings(entry).values;
   if (entry.takes_restitution) settings.restitution = 0.65;
   return settings;
 }

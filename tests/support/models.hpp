@@ -39,7 +39,7 @@ inline constexpr const char* every_law[] = {
     "stereomechanical, restitution: 0.65",
     "elastoplastic, stiffness: 2.75e9, restitution: 0.65",
     "backfill, stiffness: 250 MN/m, unloading: 500 MN/m, failure_ratio: 0.75, strength: 6 MN",
-    "elastic_plastic_gap, stiffness: 100 MN/m, yield_force: 2 MN, hardening: 2 %, damage: true",
+    "elastic_plastic_gap, stiffness: 1e9, yield_force: 2 MN, hardening: 2 %, damage: true",
     "tabulated, penetration: [1 mm, 5 mm], force: [1 MN, 8 MN]",
 };
 
