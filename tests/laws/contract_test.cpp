@@ -265,6 +265,15 @@ TYPED_TEST(LawContract, TouchAtRestHasFiniteDamping) {
   }
 }
 
+TYPED_TEST(LawContract, SlowLoadingNeedsNoMoreThanSlowTouch) {
+  const Impact calibrated = touch(this->law, 0), slow = slow_touch(this->law);
+  for (const double d : {1e-6, 1e-4, 1e-3, 1e-2}) {
+    const Response expected = pressed(this->law, d, 0, calibrated), found = pressed(this->law, d, 0, slow);
+    EXPECT_EQ(found.force, expected.force) << d;
+    EXPECT_EQ(found.by_penetration, expected.by_penetration) << d;
+  }
+}
+
 TYPED_TEST(LawContract, TableIsComplete) {
   const Entry& entry = find_law(TypeParam::name);
   EXPECT_FALSE(entry.summary.empty() || entry.shape.empty() || entry.source.empty());

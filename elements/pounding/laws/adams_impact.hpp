@@ -33,6 +33,7 @@ struct AdamsImpact {
       "with a given c the restitution depends on the closing speed, and a slow impact that does not reach the depth "
       "loses almost no energy. With a given restitution, c is computed at each impact. Tension is cut off; for n < 2 "
       "the spring can press again before the penetration returns to zero";
+  static constexpr bool is_dashpot = true;
   static constexpr Quantity number{"damping_factor", ""}, coefficient{"damping_coefficient", "N s/m"};
 
   static constexpr std::array formulas{Formula{"exact", "root of e(c) = e at each closing speed", "integrated impact",

@@ -31,6 +31,7 @@ struct KuwabaraKono {
       "with a given dissipation_time, or a fixed impact_velocity, the restitution decreases with the closing speed. "
       "With only a restitution, A is computed at each impact. Tension near separation is cut off. dF/dd is infinite at "
       "the touch and is bounded there";
+  static constexpr bool is_dashpot = true;
   static constexpr Quantity number{"damping_factor", ""}, coefficient{"dissipation_time", "s"};
 
   static constexpr std::array formulas{Formula{"exact", "A = A* D/v, D = (m v^2/k)^(2/5), A* the root of e(A*) = e",

@@ -20,6 +20,7 @@
 ///     bool needs_closing_speed() const noexcept;  // see designed_for_speed
 ///     double softening(double penetration, const Impact&) const noexcept;  // see designed_for_speed
 ///     bool heals() const noexcept;  // see heals() below
+///     static constexpr bool is_dashpot = true;  // see is_dashpot below
 ///
 /// `contact` extends the formula smoothly beyond the end of contact; its sign changes where the force is released.
 /// `respond` is zero for an open gap and never pulls, unless the law has `static constexpr bool may_pull = true`.
@@ -126,6 +127,10 @@ bool heals(const L& law) noexcept {
 template <class L>
 inline constexpr bool has_damping = requires(const L& law) { law.damping_for(1.0); };
 
+/// True for a law with an expensive calibration of a damping that acts on the rate alone: none is needed at rest.
+template <class L>
+inline constexpr bool is_dashpot = requires { requires L::is_dashpot; };
+
 /// True for a law whose stiffness is designed for the closing speed of each impact. `needs_closing_speed` is false if a
 /// fixed design speed or the stiffness itself is given. `softening` is the ratio of the stiffness of an undamped
 /// contact at a penetration to the design stiffness [-].
@@ -168,6 +173,15 @@ Impact touch(const L& law, double closing_speed, double crushed = 0) {
   if constexpr (requires { law.impact_velocity; }) impact.closing_speed = law.impact_velocity.value_or(closing_speed);
   if constexpr (has_damping<L>) impact.damping = law.damping_for(closing_speed);
   return impact;
+}
+
+/// Initial history of a slow loading, for forces and their slopes by the penetration at a zero rate.
+template <class L>
+Impact slow_touch(const L& law) {
+  if constexpr (is_dashpot<L>)
+    return {};
+  else
+    return touch(law, 0);
 }
 
 /// Updates the history with an accepted state: the maximum penetration, and the memory of laws that have one.

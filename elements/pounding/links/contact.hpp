@@ -87,7 +87,7 @@ class Contact {
 
   virtual ~Contact() = default;
 
-  /// Force on the bodies, and slopes, for a first slow loading to this penetration [m]. Pure.
+  /// Force on the bodies, and its slope by the penetration, for a first slow loading to this penetration [m]. Pure.
   virtual laws::Response first_loading(double /*penetration*/) const noexcept { return {}; }
   /// Starts the run with the bodies at rest and pressed together by this penetration > 0 [m]; the stored energy is
   /// included in work(). Throws std::invalid_argument for a contact that cannot start closed.

@@ -28,7 +28,6 @@ class GapLink final : public Contact {
   GapLink(Law law, double gap, int link = 0) : law_(std::move(law)), state_{.gap = gap}, log_(link) {
     if (!std::isfinite(gap)) throw std::invalid_argument("gap must be finite");
     law_.check();
-    slow_ = laws::touch(law_, 0);
   }
 
   /// The law with its parameters.
@@ -42,7 +41,7 @@ class GapLink final : public Contact {
   }
 
   laws::Response first_loading(double penetration) const noexcept override {
-    return laws::pressed(law_, penetration, 0, slow_);
+    return laws::pressed(law_, penetration, 0, laws::slow_touch(law_));
   }
 
   // Damping calibrated for a zero closing speed would be zero or unbounded.
@@ -137,7 +136,6 @@ class GapLink final : public Contact {
   }
 
   Law law_;
-  laws::Impact slow_;  // of a first slow loading; some laws calibrate it by an integration
   ContactState state_;
   ImpactLog log_;
 };
