@@ -45,12 +45,13 @@ std::vector<NamedSpectrum> ground_spectra(const std::string& results) {
   }
   SpectrumArguments arguments;
   arguments.periods = report_periods;
+  const std::vector<double> periods = arguments.read_periods();
   std::vector<NamedSpectrum> spectra;
   for (const auto& [name, values] : motions) {
     if (times.size() < 2 || std::ranges::all_of(values, [](double a) { return a == 0; })) continue;
     const GroundMotion motion(Samples{times, values, evenly_spaced(times)});
     const std::string axis = name.size() > 2 && name[name.size() - 2] == '_' ? name.substr(name.size() - 1) : "x";
-    spectra.push_back({axis, response_spectrum(motion, arguments.read_periods(), report_damping)});
+    spectra.push_back({axis, response_spectrum(motion, periods, report_damping)});
   }
   return spectra;
 }

@@ -16,7 +16,7 @@ struct LawInput {
   std::optional<StiffnessEstimate> stiffness;  ///< set if the settings have no stiffness
 };
 
-/// Throws InputError at the first key of a link that neither links in general nor its law allow; does nothing for an
+/// Throws InputError at the first key of a link that is neither a key of links nor of its law; does nothing for an
 /// unknown law.
 void refuse_unknown_keys(const Input& link);
 

@@ -140,19 +140,25 @@ def measure_of(run: RunData) -> Measure:
 
 
 def _marks(scene: Scene, measure: Measure) -> Iterator[Mark]:
-    for name, structure in scene.run.structures.items():
+    for structure, springs, i, points in placed_parts(scene):
+        value, energy = float(measure.of(springs, i)), float(springs.largest["hysteretic"][i])
+        yield Mark(structure.name, springs.names[i], points, value, energy, springs.states[i])
+
+
+def placed_parts(scene: Scene) -> Iterator[tuple[Structure, Springs, int, np.ndarray]]:
+    """The yielding parts of all structures that have a position: structure, its parts, index of the part, and its
+    position at rest in the scene, [1 or 2, 3], two ends of a storey [m]."""
+    for structure in scene.run.structures.values():
         springs = structure.springs
         if springs is None:
             continue
         for i, part in enumerate(springs.names):
-            points = part_points(scene, structure, part)
-            if points is None:
-                continue
-            value, energy = float(measure.of(springs, i)), float(springs.largest["hysteretic"][i])
-            yield Mark(name, part, points, value, energy, springs.states[i])
+            points = _part_points(scene, structure, part)
+            if points is not None:
+                yield structure, springs, i, points
 
 
-def part_points(scene: Scene, structure: Structure, part: str) -> np.ndarray | None:
+def _part_points(scene: Scene, structure: Structure, part: str) -> np.ndarray | None:
     """[1 or 2, 3] position of a yielding part at rest in the scene [m], two ends of a storey; None if it has none in the
     line model."""
     nodes = scene.at_rest(structure.name)

@@ -14,7 +14,7 @@ import numpy as np
 
 from pounding.mode_shapes import DRAWN_SIZE
 from pounding.pictures.geometry import nearest_on_members
-from pounding.pictures.hinge_map import part_points
+from pounding.pictures.hinge_map import placed_parts
 from pounding.pictures.scene import Motion, Scene
 from pounding.pictures.style import FORCE_UNITS, MM, YELLOW, engineering, structure_colour
 from pounding.results import Link, RunData, Structure
@@ -177,18 +177,11 @@ def _supports(scene: Scene) -> Trace:
 def _parts(scene: Scene, numbers: dict[str, int]) -> Iterator[Trace]:
     """Marks of hinges, yielding storeys and isolators, one trace per kind and state."""
     marks: dict[tuple[str, str], tuple[Points, list[str]]] = {}
-    for name, structure in scene.run.structures.items():
-        springs = structure.springs
-        if springs is None:
-            continue
-        for i, part in enumerate(springs.names):
-            ends = part_points(scene, structure, part)
-            if ends is None:
-                continue
-            kind = "hinge" if springs.is_hinge(i) else "isolator" if springs.isolates(i) else "storey"
-            points, texts = marks.setdefault((kind, springs.states[i]), (Points(), []))
-            _follow(points, scene, name, numbers[name], ends.mean(axis=0))
-            texts.append(_part_text(structure, i))
+    for structure, springs, i, ends in placed_parts(scene):
+        kind = "hinge" if springs.is_hinge(i) else "isolator" if springs.isolates(i) else "storey"
+        points, texts = marks.setdefault((kind, springs.states[i]), (Points(), []))
+        _follow(points, scene, structure.name, numbers[structure.name], ends.mean(axis=0))
+        texts.append(_part_text(structure, i))
     names = {"hinge": "hinges", "storey": "storeys", "isolator": "isolators"}
     for kind, state in sorted(marks, key=lambda key: (list(names).index(key[0]), list(STATES).index(key[1]))):
         points, texts = marks[kind, state]

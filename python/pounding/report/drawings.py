@@ -10,7 +10,7 @@ from matplotlib.figure import Figure
 
 from pounding.devices import Device
 from pounding.pictures.drawing import project
-from pounding.pictures.hinge_map import part_points
+from pounding.pictures.hinge_map import placed_parts
 from pounding.pictures.model_picture import TITLES, draw_model, spread_scene
 from pounding.pictures.panels import label_time, plot_time
 from pounding.pictures.profiles import DASHED, SOLID, draw_drift, height_label
@@ -96,16 +96,11 @@ def _draw_parts(axes: Axes, scene: Scene, view: str) -> None:
         if structure.reactions is not None and structure.geometry is not None and view != "plan":
             names = structure.geometry.node_names
             marks["^"] += [nodes[names.index(node)] for node in structure.reactions.names if node in names]
-        springs = structure.springs
-        for i in range(len(springs) if springs is not None else 0):
-            assert springs is not None
-            points = part_points(scene, structure, springs.names[i])
-            if points is None:
-                continue
-            if springs.is_hinge(i):
-                marks["o"].append(points[0])
-            elif springs.isolates(i):
-                marks["s"].append(points.mean(axis=0))
+    for _, springs, i, points in placed_parts(scene):
+        if springs.is_hinge(i):
+            marks["o"].append(points[0])
+        elif springs.isolates(i):
+            marks["s"].append(points.mean(axis=0))
     for marker, found in marks.items():
         if found:
             at = project(np.array(found), view)

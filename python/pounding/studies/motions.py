@@ -103,19 +103,10 @@ class Intensity:
         )
 
     def _of_record(self, part: Mapping[str, Any], periods: np.ndarray, files: Files) -> float:
-        name = str(part["record"])
-        _, sd, _ = core.record_spectrum(
-            name,
-            str(part.get("units", "")),
-            str(part.get("channel", "")),
-            periods.tolist(),
-            self.damping,
-            step_of(part),
-            files.content(name),
-        )
         # The intensity is 0 for a zero record and for periods at which the acceleration underflows.
         with np.errstate(divide="ignore", under="ignore"):
-            return abs(factor_of(part)) * float(np.exp(np.mean(np.log((2 * np.pi / periods) ** 2 * np.asarray(sd)))))
+            found = spectrum_of(part, periods, self.damping, files)
+            return abs(factor_of(part)) * float(np.exp(np.mean(np.log(found))))
 
 
 def read_intensity(one: Mapping[str, Any] | None, periods: Sequence[float]) -> Intensity | None:
@@ -150,6 +141,21 @@ def _range(one: Mapping[str, Any], periods: Sequence[float]) -> tuple[float, flo
     if not known:
         raise InputError("study.intensity: the structures have no period; type periods: [0.2 s, 2 s]")
     return 0.2 * min(known), 1.5 * max(known)
+
+
+def spectrum_of(part: Mapping[str, Any], periods: np.ndarray, damping: float, files: Files) -> np.ndarray:
+    """[period] pseudo-accelerations of the record of one component, before its factor [m/s^2]."""
+    name = str(part["record"])
+    _, sd, _ = core.record_spectrum(
+        name,
+        str(part.get("units", "")),
+        str(part.get("channel", "")),
+        periods.tolist(),
+        damping,
+        step_of(part),
+        files.content(name),
+    )
+    return np.asarray((2 * np.pi / periods) ** 2 * np.asarray(sd))
 
 
 def step_of(part: Mapping[str, Any]) -> float:

@@ -13,7 +13,7 @@ from pounding import yaml_text
 from pounding._native import core
 from pounding.errors import InputError
 from pounding.studies.files import Files
-from pounding.studies.motions import PLAUSIBLE_SCALE, Motion, factor_of, mean_of_horizontal, step_of
+from pounding.studies.motions import PLAUSIBLE_SCALE, Motion, factor_of, mean_of_horizontal, spectrum_of
 from pounding.studies.target_spectra import Target, read_target
 
 #: Number of periods of the range, evenly spaced on a logarithmic scale.
@@ -167,17 +167,7 @@ def _spectrum(motion: Motion, components: str, periods: np.ndarray, damping: flo
 
 
 def _of_record(part: Mapping[str, Any], periods: np.ndarray, damping: float, files: Files) -> np.ndarray:
-    name = str(part["record"])
-    _, sd, _ = core.record_spectrum(
-        name,
-        str(part.get("units", "")),
-        str(part.get("channel", "")),
-        periods.tolist(),
-        damping,
-        step_of(part),
-        files.content(name),
-    )
-    return np.asarray(abs(factor_of(part)) * (2 * np.pi / periods) ** 2 * np.asarray(sd))
+    return abs(factor_of(part)) * spectrum_of(part, periods, damping, files)
 
 
 def _samples(part: Mapping[str, Any], files: Files) -> tuple[float, np.ndarray]:

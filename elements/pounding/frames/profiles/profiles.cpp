@@ -92,40 +92,32 @@ bool visit_profiles(const Act& act) {
   return any(european_i) || any(aisc_i) || any(aisc_hss) || any(aisc_round);
 }
 
-// Shear areas of thin walls from outer dimensions; both webs of a box count as one.
-void set_shear_areas(Section& s, const Section& sharp) {
-  s.shear_area_y = sharp.shear_area_y;
-  s.shear_area_z = sharp.shear_area_z;
-}
-
 Section section_of(const European& row) {
   return rolled_i_section(row.height * mm, row.width * mm, row.flange * mm, row.web * mm, row.radius * mm);
 }
 
+// A section from its table in inches, with the shear areas of thin walls; both webs of a box count as
+// one.
+template <class American>
+Section american_section(const American& row, const Section& sharp) {
+  return {.area = row.area * inch * inch,
+          .inertia_y = row.inertia_x * std::pow(inch, 4),
+          .inertia_z = row.inertia_y * std::pow(inch, 4),
+          .torsion = row.torsion * std::pow(inch, 4),
+          .shear_area_y = sharp.shear_area_y,
+          .shear_area_z = sharp.shear_area_z,
+          .width = row.width * inch,
+          .depth = row.depth * inch,
+          .plastic_y = row.plastic_x * std::pow(inch, 3),
+          .plastic_z = row.plastic_y * std::pow(inch, 3)};
+}
+
 Section section_of(const AmericanI& row) {
-  Section s{.area = row.area * inch * inch,
-            .inertia_y = row.inertia_x * std::pow(inch, 4),
-            .inertia_z = row.inertia_y * std::pow(inch, 4),
-            .torsion = row.torsion * std::pow(inch, 4),
-            .width = row.width * inch,
-            .depth = row.depth * inch,
-            .plastic_y = row.plastic_x * std::pow(inch, 3),
-            .plastic_z = row.plastic_y * std::pow(inch, 3)};
-  set_shear_areas(s, i_section(s.depth, s.width, row.flange * inch, row.web * inch));
-  return s;
+  return american_section(row, i_section(row.depth * inch, row.width * inch, row.flange * inch, row.web * inch));
 }
 
 Section section_of(const AmericanHollow& row) {
-  Section s{.area = row.area * inch * inch,
-            .inertia_y = row.inertia_x * std::pow(inch, 4),
-            .inertia_z = row.inertia_y * std::pow(inch, 4),
-            .torsion = row.torsion * std::pow(inch, 4),
-            .width = row.width * inch,
-            .depth = row.depth * inch,
-            .plastic_y = row.plastic_x * std::pow(inch, 3),
-            .plastic_z = row.plastic_y * std::pow(inch, 3)};
-  set_shear_areas(s, hollow_section(s.depth, s.width, row.wall * inch));
-  return s;
+  return american_section(row, hollow_section(row.depth * inch, row.width * inch, row.wall * inch));
 }
 
 Section section_of(const AmericanRound& row) {

@@ -50,7 +50,7 @@ class LinkSlips {
   /// Sets the slips at mid-step of a trial: from the cubics through both ends for springs, by the collocation formula
   /// with a lag for friction, so that it stays at its limit.
   void find_middle(const Instant& x, Trial& trial) const;
-  /// Adds the error estimate of Simpson's rule; see add_simpson_error(). Sliding friction has no error of its own.
+  /// Adds the error estimate of Simpson's rule; see add_simpson_error(). Sliding friction adds none.
   void add_simpson_error(const Instant& x, const Trial& trial, double part, StepError& error) const;
 
  private:
