@@ -17,6 +17,9 @@ const char* need_word(laws::Need need);
 /// Kind of a parameter of a law, as text: number, list or flag.
 const char* kind_word(const laws::ParameterInfo& parameter);
 
+/// Typical value of a parameter of a law [SI]: a number, a list, or True or False.
+pybind11::object typical_value(const laws::ParameterInfo& parameter);
+
 /// Nested dicts, lists and texts of an input.
 pybind11::object plain(const Input& input);
 

@@ -69,7 +69,7 @@ py::list catalogue() {
   for (const hysteresis::Entry& entry : hysteresis::catalogue()) {
     py::list parameters, choices;
     for (const hysteresis::ParameterInfo& p : entry.parameters)
-      parameters.append(py::make_tuple(p.name, p.unit, p.meaning, p.typical, need_word(p.need), kind_word(p)));
+      parameters.append(py::make_tuple(p.name, p.unit, p.meaning, typical_value(p), need_word(p.need), kind_word(p)));
     for (const hysteresis::ChoiceInfo& c : entry.choices)
       choices.append(py::make_tuple(c.name, c.meaning, std::vector<std::string>(c.words.begin(), c.words.end())));
     entries.append(py::dict("name"_a = entry.name, "shape"_a = entry.shape, "summary"_a = entry.summary,

@@ -184,7 +184,7 @@ py::list described(const Law& law, double closing_speed) {
 py::dict dict_of(const laws::Entry& entry) {
   py::list parameters, formulas;
   for (const laws::ParameterInfo& p : entry.parameters)
-    parameters.append(py::make_tuple(p.name, p.unit, p.meaning, p.typical, need_word(p.need), kind_word(p)));
+    parameters.append(py::make_tuple(p.name, p.unit, p.meaning, typical_value(p), need_word(p.need), kind_word(p)));
   for (const laws::Formula& f : entry.formulas) formulas.append(py::make_tuple(f.name, f.source, f.note));
   return py::dict("name"_a = entry.name, "shape"_a = entry.shape, "summary"_a = entry.summary,
                   "source"_a = entry.source, "parameters"_a = parameters, "formulas"_a = formulas,
@@ -292,6 +292,12 @@ const char* need_word(laws::Need need) {
 
 const char* kind_word(const laws::ParameterInfo& parameter) {
   return parameter.is_flag ? "flag" : parameter.is_list() ? "list" : "number";
+}
+
+py::object typical_value(const laws::ParameterInfo& parameter) {
+  if (parameter.is_flag) return py::bool_(parameter.typical != 0);
+  if (parameter.is_list()) return py::cast(std::vector(parameter.typical_list.begin(), parameter.typical_list.end()));
+  return py::float_(parameter.typical);
 }
 
 void bind_laws(py::module_& module) {

@@ -28,8 +28,12 @@ Values = npt.NDArray[np.float64]
 def described(name: str, summary: str, shape: str, source: str, parameters: Iterable[Parameter]) -> list[str]:
     """Description of a law, one line per parameter."""
     return [f"{name}: {summary}", f"  {shape}", f"  {source}"] + [
-        f"  {p.name} [{p.unit or '-'}]  {p.meaning} ({p.need}), typically {p.typical:g}" for p in parameters
+        f"  {p.name} [{p.unit or '-'}]  {p.meaning} ({p.need}), typically {_shown(p.typical)}" for p in parameters
     ]
+
+
+def _shown(typical: float | list[float] | bool) -> str:
+    return f"{typical:g}" if isinstance(typical, float) else str(typical)
 
 
 @dataclass(frozen=True)
@@ -124,7 +128,7 @@ class Law:
         parameters: Mapping[str, Given | None],
     ) -> None:
         given = {name: value for name, value in parameters.items() if value is not None}
-        exponent = next((p.typical for p in kind.parameters if p.name == "exponent"), 1.0)
+        exponent = next((cast(float, p.typical) for p in kind.parameters if p.name == "exponent"), 1.0)
         if "exponent" in given:
             exponent = number_in("exponent", cast("float | str", given["exponent"]), "")
         self.kind = kind

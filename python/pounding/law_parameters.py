@@ -25,7 +25,7 @@ class Parameter:
     name: str
     unit: str
     meaning: str
-    typical: float  #: SI
+    typical: float | list[float] | bool  #: SI; of the same kind as the parameter
     need: str  #: required, optional, instead of restitution, or together, instead of all others
     kind: str = "number"  #: number, list or flag (True or False)
 

@@ -119,7 +119,7 @@ class Forces(unittest.TestCase):
             law = typical(name)
             in_order = law.force(penetration, rate, 0.5, in_order=True)
             alone = law.force(penetration, rate, 0.5)
-            if name not in ("bilinear_hertz", "elastoplastic", "backfill"):
+            if name not in ("bilinear_hertz", "elastoplastic", "backfill", "elastic_plastic_gap"):
                 np.testing.assert_array_equal(in_order, alone, name)
                 continue
             self.assertAlmostEqual(
