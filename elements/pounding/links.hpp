@@ -6,6 +6,7 @@
 #include <pounding/laws/by_name.hpp>
 #include <pounding/links/contact.hpp>
 #include <pounding/links/friction.hpp>
+#include <pounding/links/gap_contact.hpp>
 #include <pounding/links/gap_link.hpp>
 #include <pounding/links/impact_log.hpp>
 #include <pounding/links/impact_row.hpp>

@@ -179,7 +179,7 @@ void run_task(const RunArguments& arguments, const Task& task) {
   };
 
   const StopOnSignal signals;  // after PETSc, which installs and restores its own signal handlers
-  run_options.stop = [] { return StopOnSignal::stop != 0; };
+  run_options.stop = [](std::span<const ContactMemory>) { return StopOnSignal::stop != 0; };
   Outcome outcome;
   try {
     outcome = run(model, run_options);

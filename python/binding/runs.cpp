@@ -184,7 +184,7 @@ RunOptions run_options(const std::string& output, const std::string& command, Li
   return {.output = output,
           .command = command,
           .progress = [&](double time, double duration, int impacts) { listener.report(time, duration, impacts); },
-          .stop = [&] { return listener.stops(); }};
+          .stop = [&](std::span<const ContactMemory>) { return listener.stops(); }};
 }
 
 /// Runs the model from `read_input`, which also activates the PETSc options of the run.

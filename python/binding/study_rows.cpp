@@ -226,7 +226,7 @@ class RowModel {
       const OptionsOfRun given{{}};
       const Model& model = made_ready(motion);
       RunOptions options{.numbers_only = true};
-      options.stop = [&] {
+      options.stop = [&](std::span<const ContactMemory>) {
         const py::gil_scoped_acquire hold;
         if (PyErr_CheckSignals() != 0) raised.emplace();
         return raised.has_value();
@@ -264,42 +264,25 @@ class RowModel {
 
   // The model of the row as if it had just been read. Rows that differ only in the ground motion share one.
   const Model& made_ready(const RowMotion* motion) {
-    if (!motion || motion->ground.wave || !cached_ || !cached_->model.can_move_otherwise()) {
+    if (!motion || motion->ground.wave || !cached_ || !cached_->can_move_otherwise()) {
       cached_.reset();
       cached_.emplace(read(motion, petsc::lowest_modes));
     } else {
       try {
-        cached_->take_back();
-        cached_->model.move_otherwise(motion->ground);
+        cached_->move_otherwise(motion->ground);
       } catch (const ModelError&) {
         // The reader reports the location.
         cached_.reset();
         cached_.emplace(read(motion, petsc::lowest_modes));
       }
     }
-    return cached_->model;
+    return *cached_;
   }
-
-  // A model that runs repeatedly, with the initial state of its contacts.
-  struct CachedModel {
-    explicit CachedModel(Model read) : model(std::move(read)) {
-      Archive archive;
-      for (const Link& link : model.links) link.contact->archive(archive);
-      contacts = archive.bytes();
-    }
-    void take_back() {
-      Archive archive(contacts);
-      for (const Link& link : model.links) link.contact->archive(archive);
-    }
-
-    Model model;
-    std::vector<std::byte> contacts;
-  };
 
   Input root_;
   std::vector<Input> places_;
   std::vector<std::string> values_;
-  std::optional<CachedModel> cached_;
+  std::optional<Model> cached_;
 };
 
 }  // namespace

@@ -101,7 +101,7 @@ GridFrame grid(int storeys, int bays_x, int bays_y, double stiffer) {
 
 struct Pair {
   System system;
-  std::vector<std::unique_ptr<Contact>> contacts;
+  std::vector<std::unique_ptr<const Contact>> contacts;
   std::vector<GridFrame> grids;
   std::vector<AssembledFrame> frames;
 
@@ -269,7 +269,7 @@ nlohmann::json plane(const Words& arguments) {
   const laws::AnyLaw law = law_named(arguments.contains("--law") ? arguments.at("--law") : "hertz_damped");
   const double tolerance = number(arguments, "--tolerance", 1e-4);
   if (!arguments.contains("--motion")) throw std::invalid_argument("--motion FILE is needed");
-  Pair pair({grid(8, 3, 0, 1.0), grid(6, 2, 0, 1.7)}, [&](int link) { return make_gap_link(law, gap, link); });
+  Pair pair({grid(8, 3, 0, 1.0), grid(6, 2, 0, 1.7)}, [&](int link) { return pounding::make_contact(law, gap, link); });
   pair.system.grounds = {motion_of(arguments.at("--motion"))};
   // Errors are relative to a hundredth of the peak displacement of an oscillator of one second.
   const double w = 2 * M_PI;
@@ -296,11 +296,11 @@ nlohmann::json plane(const Words& arguments) {
   check(TSGetStepRejections(solve.ts, &rejected));
   std::vector<double> peaks;
   std::vector<int> impacts;
-  for (const auto& contact : pair.contacts) {
+  for (const ContactMemory& contact : stepper.memory().contacts) {
     double peak = 0;
-    for (const ImpactRow& row : contact->impacts()) peak = std::max(peak, row.peak_force);
+    for (const ImpactRow& row : contact.impacts()) peak = std::max(peak, row.peak_force);
     peaks.push_back(peak);
-    impacts.push_back(static_cast<int>(contact->impacts().size()));
+    impacts.push_back(static_cast<int>(contact.impacts().size()));
   }
   return {{"unknowns", pair.system.size()},
           {"base", base->description()},
@@ -373,7 +373,8 @@ nlohmann::json space(const Words& arguments) {
   const int bays_y = count(arguments, "--bays-y", bays), steps = count(arguments, "--steps", 100);
   const int lower = std::max(1, 4 * storeys / 5);
   Pair pair({grid(storeys, bays, bays_y, 1.0), grid(lower, bays, bays_y, 1.7)}, [](int link) {
-    return std::make_unique<GapLink<laws::LinearSpring>>(laws::LinearSpring{.stiffness = linear_stiffness}, 0.0, link);
+    return std::make_unique<GapContact<laws::LinearSpring>>(laws::LinearSpring{.stiffness = linear_stiffness}, 0.0,
+                                                            link);
   });
   const Group& right = pair.system.groups[1];
   pair.system.load.middleRows(right.first, right.count) *= -1;
@@ -383,13 +384,15 @@ nlohmann::json space(const Words& arguments) {
   const Clock::time_point start = Clock::now();
   const std::unique_ptr<StructureSolver> base = petsc::make_solver(pair.system, base_kind(arguments), PETSC_COMM_WORLD);
   const Eigen::VectorXd pushed = static_answer(pair, *base);
-  Stepper stepper(pair.system, *base, {.tolerance = 1e-4, .scheme = scheme(arguments), .max_step = space_step});
   // They press from the start instead of touching simultaneously.
   const Eigen::VectorXd closing = pair.system.gap_jacobian.transpose() * pushed;
-  for (std::size_t i = 0; i < pair.contacts.size(); ++i)
+  for (std::size_t i = 0; i < pair.contacts.size(); ++i) {
+    ContactMemory& memory = pair.system.initial_contacts.emplace_back(pair.contacts[i]->initial());
     if (closing[static_cast<Eigen::Index>(i)] > 0)
       pair.contacts[i]->on_event(
-          0, begin, {begin * closing[static_cast<Eigen::Index>(i)], closing[static_cast<Eigen::Index>(i)]});
+          memory, 0, begin, {begin * closing[static_cast<Eigen::Index>(i)], closing[static_cast<Eigen::Index>(i)]});
+  }
+  Stepper stepper(pair.system, *base, {.tolerance = 1e-4, .scheme = scheme(arguments), .max_step = space_step});
   stepper.start(begin, begin * pushed, pushed);
   Solve solve(stepper, far, space_step);
   StepClock clock;

@@ -49,8 +49,8 @@ struct StepClock {
 
   void take(double time) {
     const double seconds = seconds_since(last);
-    const auto pressed =
-        std::ranges::count_if(system.contacts, [](const Contact* contact) { return presses(contact->phase()); });
+    const auto pressed = std::ranges::count_if(stepper.memory().contacts,
+                                               [](const ContactMemory& contact) { return presses(contact.phase()); });
     if (stepper.events() == events) taken[{std::lround(1e9 * (time - begin)), pressed}].push_back(seconds);
     events = stepper.events();
     begin = time;

@@ -30,7 +30,7 @@ using petsc::check;
 using Clock = std::chrono::steady_clock;
 
 struct Oscillators {
-  GapLink<laws::HertzDamped> link;
+  GapContact<laws::HertzDamped> link;
   System system;
 
   explicit Oscillators(double gap) : link({.stiffness = 2.75e9, .restitution = 0.65}, gap) {

@@ -89,10 +89,10 @@ TEST(HingeStatics, HardeningIsThatOfTheMemberInDoubleCurvature) {
   frame.add_member(foot, top, without_shear_deformation(rectangle_section(0.4, 0.4)), concrete);
   frame.add_hinge({.member = 0, .yield_moment = plastic, .hardening = alpha});
   const Structure s = made(frame);
-  const Spring& spring = *s.yielding[0].spring;
-  EXPECT_DOUBLE_EQ(spring.stiffness(), 4 * ei / length);
+  const LoadedSpring spring(s.yielding[0].spring());
+  EXPECT_DOUBLE_EQ(spring->stiffness(), 4 * ei / length);
   const double h = alpha * 6 * ei / length / (1 - alpha), ratio = h / (4 * ei / length + h);
-  EXPECT_NEAR(spring.evaluate({2 * spring.yield_deformation(), 0}).force, -(1 - ratio) * plastic, 1e-12 * plastic);
+  EXPECT_NEAR(spring.evaluate({2 * spring->yield_deformation(), 0}).force, -(1 - ratio) * plastic, 1e-12 * plastic);
   EXPECT_EQ(s.yielding_flexibility.coeff(0, 0), 0);
   VectorXd load = VectorXd::Zero(3);
   load[0] = 1;
@@ -249,8 +249,8 @@ TEST(HingeStatics, AMemberThatIsCutYieldsAlike) {
       VectorXd load = VectorXd::Zero(s.size()), ratio(2);
       load[0] = 1, load[1] = -0.3;
       for (int i = 0; i < 2; ++i) {  // slope beyond the yield moment
-        const Spring& spring = *s.yielding[i].spring;
-        ratio[i] = 1 + spring.evaluate({2 * spring.yield_deformation(), 0}).by_penetration / spring.stiffness();
+        const LoadedSpring spring(s.yielding[i].spring());
+        ratio[i] = 1 + spring.evaluate({2 * spring->yield_deformation(), 0}).by_penetration / spring->stiffness();
       }
       pushed.push_back(test::push(s, load, VectorXd::Constant(2, plastic), ratio, 1e6));
       ASSERT_EQ(pushed.back().events.size(), 2u);

@@ -138,7 +138,7 @@ TEST(Hinges, StandUnderGravityAsFarAsTheyStayElastic) {
   EXPECT_EQ(s.yielding[0].law, "hinge");
   // The start hogs: a negative moment; the end sags: also a negative one.
   for (const YieldingPart& part : s.yielding)
-    EXPECT_NEAR(part.spring->stiffness() * part.at_rest, -moment, 1e-9 * moment) << part.name;
+    EXPECT_NEAR(part.stiffness() * part.at_rest, -moment, 1e-9 * moment) << part.name;
   const Eigen::VectorXd forces = s.forces.rows * s.at_rest + s.forces.at_rest;
   EXPECT_NEAR(forces[2], -moment, 1e-9 * moment);
 
@@ -155,7 +155,7 @@ TEST(Hinges, ALoadBetweenTheEndsCountsAtRest) {
   FrameModel model{.frame = frame};
   model.gravity = false;
   const Structure s = make_structure(model);
-  EXPECT_NEAR(s.yielding[0].spring->stiffness() * s.yielding[0].at_rest, -10e3 * 36 / 12, 1e-9 * 30e3) << "q l^2/12";
+  EXPECT_NEAR(s.yielding[0].stiffness() * s.yielding[0].at_rest, -10e3 * 36 / 12, 1e-9 * 30e3) << "q l^2/12";
 }
 
 // A consistent mass distributes the weight: w l^2/12 at the wall, also in the reported end forces.
@@ -168,7 +168,7 @@ TEST(Hinges, AWeightBetweenTheEndsCountsAtRest) {
   frame.add_hinge({.member = 0, .yield_moment = yield});
   const Structure s = made(frame, FrameGeometry::linear, true);
   const double moment = 2500 * 0.16 * standard_gravity * 36 / 12;
-  EXPECT_NEAR(s.yielding[0].spring->stiffness() * s.yielding[0].at_rest, -moment, 1e-9 * moment);
+  EXPECT_NEAR(s.yielding[0].stiffness() * s.yielding[0].at_rest, -moment, 1e-9 * moment);
   EXPECT_NEAR((s.forces.rows * s.at_rest + s.forces.at_rest)[2], -moment, 1e-9 * moment);
 }
 
@@ -181,7 +181,7 @@ TEST(Hinges, ALawThatIsNeverStraightTakesGravityBelowItsYieldMoment) {
                                                .values = {{"yield_moment", yield}, {"spring_hardening", 0.02}}}});
   const Structure s = made(frame, FrameGeometry::linear, true);
   EXPECT_EQ(s.yielding[0].law, "bouc_wen");
-  EXPECT_NEAR(s.yielding[0].spring->stiffness() * s.yielding[0].at_rest, -71.18e3, 5);
+  EXPECT_NEAR(s.yielding[0].stiffness() * s.yielding[0].at_rest, -71.18e3, 5);
   Frame weak = held_beam();
   weak.add_hinge(
       {.stiffness_factor = 10,
@@ -206,12 +206,12 @@ TEST(Hinges, YieldAtTwoMoments) {
       // Down along z or along -y with the far end level: the start hogs and the far end sags.
       sag[unknown(about == BendingAxis::y ? "uz" : "uy")] = -1;
       for (int i = 0; i < 2; ++i) {
-        const Spring& spring = *s.yielding[i].spring;
-        const double k = spring.stiffness(), d = s.yielding[i].deformation.dot(sag);
+        const LoadedSpring spring(s.yielding[i].spring());
+        const double k = spring->stiffness(), d = s.yielding[i].deformation.dot(sag);
         const double yields_at = *spring.corner(d * 1e3);
         EXPECT_NEAR(std::abs(k * yields_at), i == 0 ? 250e3 : 150e3, 1e-6) << dimension << static_cast<int>(about) << i;
         EXPECT_NEAR(std::abs(k * *spring.corner(-d * 1e3)), i == 0 ? 150e3 : 250e3, 1e-6);
-        EXPECT_NEAR(spring.yield_deformation(), 150e3 / k, 1e-15);
+        EXPECT_NEAR(spring->yield_deformation(), 150e3 / k, 1e-15);
       }
     }
 }
@@ -226,7 +226,7 @@ TEST(Hinges, AreNamedByMemberEndAndAxis) {
   EXPECT_DOUBLE_EQ(space.bending_stiffness(space.hinges()[0]), 6 * 30e9 * square.inertia_z / 6);
   const Structure s = made(space);
   EXPECT_EQ(s.yielding[0].law, "bilinear");
-  EXPECT_DOUBLE_EQ(s.yielding[0].spring->stiffness(), 5 * 30e9 * square.inertia_z);
+  EXPECT_DOUBLE_EQ(s.yielding[0].stiffness(), 5 * 30e9 * square.inertia_z);
 }
 
 // Such a law checks its parameters against the stiffness of the spring.
@@ -252,8 +252,8 @@ TEST(Hinges, LawsSpeakOfMoments) {
 
 // Ratio of the stiffness far beyond yield to the initial one.
 double kept(const YieldingPart& part) {
-  const Spring& spring = *part.spring;
-  return 1 + spring.evaluate({1e3 * spring.yield_deformation(), 0}).by_penetration / spring.stiffness();
+  const LoadedSpring spring(part.spring());
+  return 1 + spring.evaluate({1e3 * part.yield_deformation(), 0}).by_penetration / part.stiffness();
 }
 
 // A spring k and a member end K = 6EI/L in double curvature have the stiffness K k/(K + k), and K b k/(K + b k) after
@@ -306,7 +306,7 @@ TEST(Hinges, DuctilityHasOneDefinition) {
     frame.add_hinge({.yield_moment = yield, .stiffness_factor = factor});
     const Structure s = made(frame);
     const YieldingPart& hinge = s.yielding[0];
-    const double at_yield = hinge.spring->yield_deformation();
+    const double at_yield = hinge.yield_deformation();
     EXPECT_NEAR(hinge.limits.ductility({0, at_yield + plastic}, {0, yield}), 1 + plastic / (yield / of_end), 1e-9)
         << factor;
     EXPECT_NEAR(hinge.limits.ductility({-0.5 * at_yield, 0}, {-0.5 * yield, 0}), 0.5, 1e-12) << factor;
@@ -315,7 +315,7 @@ TEST(Hinges, DuctilityHasOneDefinition) {
   Frame released = held_beam(2, {.end_releases = {Dof::ry}});
   released.add_hinge({.yield_moment = yield, .stiffness_factor = 10, .member_length = 3});
   const Structure s = made(released);
-  EXPECT_NEAR(s.yielding[0].limits.ductility({0, s.yielding[0].spring->yield_deformation() + plastic}, {0, yield}),
+  EXPECT_NEAR(s.yielding[0].limits.ductility({0, s.yielding[0].yield_deformation() + plastic}, {0, yield}),
               1 + plastic / (yield / (0.75 * of_end)), 1e-9);
 }
 

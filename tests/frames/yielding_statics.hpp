@@ -27,7 +27,7 @@ struct YieldingStatics {
     k = at_rest = VectorXd::Zero(b.cols());
     for (int i = 0; i < b.cols(); ++i) {
       b.col(i) = VectorXd(s.yielding[i].deformation);
-      k[i] = s.yielding[i].spring->stiffness();
+      k[i] = s.yielding[i].stiffness();
       at_rest[i] = s.yielding[i].at_rest;
     }
   }

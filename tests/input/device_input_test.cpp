@@ -45,8 +45,8 @@ TEST(DeviceInput, BecomesAPartThatYields) {
   EXPECT_EQ(part.name, "brace");
   EXPECT_EQ(part.law, "bouc_wen");
   EXPECT_EQ(Eigen::Vector3d(part.deformation), Eigen::Vector3d(-1, 0, 1));
-  EXPECT_DOUBLE_EQ(part.spring->first_slope(), 80e6);
-  EXPECT_DOUBLE_EQ(part.spring->yield_deformation(), 600e3 / 80e6);
+  EXPECT_DOUBLE_EQ(part.first_slope(), 80e6);
+  EXPECT_DOUBLE_EQ(part.yield_deformation(), 600e3 / 80e6);
   EXPECT_EQ(s.members_that_yield(), 0u);
   EXPECT_TRUE(test::mentions(describe(model), {"bouc_wen", "80 MN/m", "600 kN", "1", "3"}));
   // The device carries the shear of the two storeys that it spans.

@@ -102,7 +102,7 @@ TEST(IsolatorInput, ReportsErrorsInAShearBuilding) {
 TEST(IsolatorInput, TakesVelocityDependentFriction) {
   const Model model = model_of(building("{friction_pendulum: {radius: 2 m, friction: [4 %, 8 %], rate: 60 s/m}}"));
   const YieldingPart& part = model.structures[0].yielding[0];
-  EXPECT_NEAR(part.spring->stiffness(), 600e3 * 9.80665 * (0.5 + 0.08 / 0.5e-3), 1e-3);
+  EXPECT_NEAR(part.stiffness(), 600e3 * 9.80665 * (0.5 + 0.08 / 0.5e-3), 1e-3);
   EXPECT_NEAR(isolated_period(model.structures[0]), 2 * M_PI * std::sqrt(2 / 9.80665), 1e-9);
   refused(building("{friction_pendulum: {radius: 2 m, friction: [4 %, 8 %]}}"),
           at("4:78", "structures.a.shear_building.isolator.friction_pendulum.friction"), mentions({"rate: 60 s/m"}));

@@ -32,7 +32,7 @@ int processes() {
 // Two plane frames that face each other with a link at every common floor; rotations have no mass.
 struct Pair {
   System system;
-  std::vector<std::unique_ptr<Contact>> contacts;
+  std::vector<std::unique_ptr<const Contact>> contacts;
 
   explicit Pair(bool consistent = false, int frames = 2, double gap = 5e-4) {
     std::vector<AssembledFrame> parts;
@@ -79,7 +79,7 @@ struct Pair {
         };
         end(0, 2, 1);
         end(1, 0, -1);
-        contacts.push_back(std::make_unique<GapLink<laws::HertzDamped>>(
+        contacts.push_back(std::make_unique<GapContact<laws::HertzDamped>>(
             laws::HertzDamped{.stiffness = 2.75e9, .restitution = 0.65}, gap, floor - 1));
         system.contacts.push_back(contacts.back().get());
       }
@@ -547,8 +547,8 @@ Trajectory march(Pair& pair, StructureSolver& base, Scheme scheme, double until)
   run.seen = stepper.outputs().motion.col(0);
   const Energies e = stepper.energies();
   run.imbalance = 1 - (e.kinetic + e.strain + e.damping + e.impact) / e.input;
-  for (const auto& contact : pair.contacts)
-    for (const ImpactRow& row : contact->impacts()) {
+  for (const ContactMemory& contact : stepper.memory().contacts)
+    for (const ImpactRow& row : contact.impacts()) {
       run.peaks.push_back(row.peak_force);
       ++run.impacts;
     }

@@ -9,7 +9,6 @@
 #include <string_view>
 
 #include <pounding/links/gap_link.hpp>
-#include <pounding/links/rigid_gap_link.hpp>
 #include "support/messages.hpp"
 
 namespace pounding {
@@ -329,7 +328,7 @@ TEST(GapLink, RefusesAGapThatIsNoNumber) {
 
 TEST(GapLink, BeginsPressedWithTheEnergyThatItStores) {
   GapLink<laws::LinearSpring> link({.stiffness = 1000}, -0.2, 3);
-  EXPECT_EQ(link.first_loading(0.1).force, 100);
+  EXPECT_EQ(link.contact().first_loading(0.1).force, 100);
   EXPECT_EQ(link.phase(), ContactPhase::open);
   link.press(0.2);
   EXPECT_EQ(link.phase(), ContactPhase::approach);
@@ -411,13 +410,14 @@ TEST(GapLink, WorkOfAnImpactIsLostOrStoredWhileItLasts) {
   }
 }
 
-TEST(MakeGapLink, GivesEachLawItsOwnKindOfContact) {
-  EXPECT_TRUE(make_gap_link(laws::Stereomechanical{.restitution = 0.5}, 0.1, 2)->is_rigid());
-  const auto soft = make_gap_link(laws::LinearSpring{.stiffness = 1000}, 0.1, 2);
+TEST(MakeContact, GivesEachLawItsOwnKindOfContact) {
+  EXPECT_TRUE(make_contact(laws::Stereomechanical{.restitution = 0.5}, 0.1, 2)->is_rigid());
+  const auto soft = make_contact(laws::LinearSpring{.stiffness = 1000}, 0.1, 2);
   EXPECT_FALSE(soft->is_rigid());
-  soft->on_event(0, 0, {0, 1});
-  EXPECT_DOUBLE_EQ(soft->evaluate({0.01, 0}).force, 10);
-  EXPECT_EQ(soft->impacts()[0].link, 2);
+  ContactMemory memory = soft->initial();
+  soft->on_event(memory, 0, 0, {0, 1});
+  EXPECT_DOUBLE_EQ(soft->evaluate(memory, {0.01, 0}).force, 10);
+  EXPECT_EQ(memory.impacts()[0].link, 2);
 }
 
 TEST(RigidGapLink, RefusesARestitutionOutsideZeroToOne) {
@@ -427,8 +427,8 @@ TEST(RigidGapLink, RefusesARestitutionOutsideZeroToOne) {
 
 TEST(RigidGapLink, BouncesWithoutForceAndWithoutDuration) {
   RigidGapLink link(0.5, 0.1, 4);
-  EXPECT_TRUE(link.is_rigid());
-  EXPECT_EQ(link.restitution(), 0.5);
+  EXPECT_TRUE(link.contact().is_rigid());
+  EXPECT_EQ(link.contact().restitution(), 0.5);
   EXPECT_DOUBLE_EQ(link.event_functions({-0.02, 1}, 0)[0], 0.02);
   link.jumped(2, {.impulse = 300, .work = 150, .rate_before = 2, .rate_after = -1}, false);
   EXPECT_EQ(link.phase(), ContactPhase::open);

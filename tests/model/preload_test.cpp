@@ -28,6 +28,13 @@ struct Pair {
   Pair() { model.analysis.duration = 1; }
 };
 
+// Force of a contact before the first step, for an approach of its ends [m].
+double force_at(const Model& model, std::size_t link, double approach) {
+  const System system = assemble(model);
+  const ContactMemory& memory = system.initial_contacts[link];
+  return system.contacts[link]->evaluate(memory, {memory.state.penetration(approach), 0}).force;
+}
+
 // F (1/k + 1/k1 + 1/k2) = gap: springs in series.
 TEST(Preload, PressesWithTheForceOfSpringsInSeries) {
   test::Book book("Contacts closed at the start", "springs in series: F = overlap/(1/k + 1/k1 + 1/k2)", "rounding");
@@ -35,14 +42,14 @@ TEST(Preload, PressesWithTheForceOfSpringsInSeries) {
   Pair pair;
   pair.model.link(pair.left, pair.right, {.gap = -overlap, .preload = true}, laws::LinearSpring{.stiffness = k});
   pair.model.complete();
-  const Contact& contact = *pair.model.links[0].contact;
-  EXPECT_EQ(contact.phase(), ContactPhase::approach);
+  const ContactMemory memory = assemble(pair.model).initial_contacts[0];
+  EXPECT_EQ(memory.phase(), ContactPhase::approach);
   const auto [u, v] = initial_state(pair.model);
   book.near("displacement of the left one [m]", u[0], -force / k1, 1e-17);
   book.near("displacement of the right one [m]", u[1], force / k2, 1e-17);
   EXPECT_EQ(v.norm(), 0);
-  book.near("force of the contact [N]", contact.evaluate({contact.penetration(u[0] - u[1]), 0}).force, force, 1e-9);
-  book.near("energy stored in the contact [J]", contact.work(), force * force / (2 * k), 1e-10);
+  book.near("force of the contact [N]", force_at(pair.model, 0, u[0] - u[1]), force, 1e-9);
+  book.near("energy stored in the contact [J]", memory.log.work(), force * force / (2 * k), 1e-10);
   EXPECT_EQ(initial_state(pair.model, false).first.norm(), 0) << "no preload without links";
 }
 
@@ -57,9 +64,8 @@ TEST(Preload, BalancesEveryLawThatHasAForceAtRest) {
     Pair pair;
     pair.model.link(pair.left, pair.right, {.gap = -3e-3, .preload = true}, law);
     pair.model.complete();
-    const Contact& contact = *pair.model.links[0].contact;
     const auto [u, v] = initial_state(pair.model);
-    const double force = contact.evaluate({contact.penetration(u[0] - u[1]), 0}).force;
+    const double force = force_at(pair.model, 0, u[0] - u[1]);
     EXPECT_GT(force, 1e4) << pair.model.links[0].law;
     EXPECT_NEAR(k1 * u[0] + force, 0, 1e-8 * force) << pair.model.links[0].law;
     EXPECT_NEAR(k2 * u[1] - force, 0, 1e-8 * force) << pair.model.links[0].law;
@@ -78,8 +84,7 @@ TEST(Preload, OfSeveralFloorsIsFoundTogether) {
   model.complete();
   const auto [u, v] = initial_state(model);
   for (int floor = 0; floor < 2; ++floor) {
-    const Contact& contact = *model.links[floor].contact;
-    const double force = contact.evaluate({contact.penetration(u[floor] - u[2 + floor]), 0}).force;
+    const double force = force_at(model, floor, u[floor] - u[2 + floor]);
     EXPECT_GT(force, 1e4);
     EXPECT_NEAR(model.structures[0].stiffness.row(floor).dot(u.head(2)), -force, 1e-8 * force);
     EXPECT_NEAR(model.structures[1].stiffness.row(floor).dot(u.tail(2)), force, 1e-8 * force);

@@ -42,7 +42,7 @@ Model ball_on_wall(double speed = 1) {
 void stop_in_contact(const File& file) {
   Model model = ball_on_wall();
   RunOptions options{.output = file.path()};
-  options.stop = [&] { return presses(model.links[0].contact->phase()); };
+  options.stop = [](std::span<const ContactMemory> contacts) { return presses(contacts[0].phase()); };
   EXPECT_THROW(run(model, options), FailedRun);
 }
 

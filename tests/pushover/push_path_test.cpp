@@ -217,7 +217,7 @@ TEST(PushPath, FollowsALoadThatFallsToItsEnd) {
 TEST(PushPath, StartsFromTheDeformationsOfGravity) {
   const HingedFrame frame;
   Structure s = frame.with_springs();
-  const double yield = s.yielding[2].spring->yield_deformation();
+  const double yield = s.yielding[2].yield_deformation();
   s.yielding[2].at_rest = 0.5 * yield;
   s.yielding[3].at_rest = -0.5 * yield;
   const PushPath path = push(s, at(frame.roof(), frame.triangular(s.size()), {0.25}));
@@ -230,7 +230,7 @@ TEST(PushPath, StartsFromTheDeformationsOfGravity) {
 TEST(PushPath, RefusesWhatCannotBePushed) {
   const HingedFrame frame;
   Structure s = frame.with_springs();
-  s.yielding[2].at_rest = -1.25 * s.yielding[2].spring->yield_deformation();
+  s.yielding[2].at_rest = -1.25 * s.yielding[2].yield_deformation();
   const auto push_it = [&] { push(s, at(frame.roof(), frame.triangular(s.size()), {0.25})); };
   EXPECT_TRUE(test::mentions(test::refusal(push_it), {"1.25"}));
   EXPECT_NE(test::refusal([&] { push(s, at(frame.roof(), -frame.triangular(s.size()), {0.25})); }), "taken");
@@ -256,8 +256,8 @@ class SmallSteps {
     members_ = Eigen::MatrixXd(s.stiffness);
     for (const YieldingPart& part : s.yielding) {
       rows_.emplace_back(part.deformation);
-      stiffness_.push_back(part.spring->stiffness());
-      yield_.push_back(part.spring->yield_deformation());
+      stiffness_.push_back(part.stiffness());
+      yield_.push_back(part.yield_deformation());
       slip_.push_back(0);
       members_ -= stiffness_.back() * rows_.back() * rows_.back().transpose();
     }

@@ -90,9 +90,9 @@ Seen follow(const Reduction& left, const Reduction& right) {
     while (stepper.time() < 0.1 * (sample + 1)) h = controller.advance(h, 0.1 * (sample + 1), policy);
     seen.floors.col(sample) = stepper.outputs().motion.col(0);
   }
-  for (const Contact* contact : pair.system.contacts) {
-    seen.impacts += contact->impacts().size();
-    for (const ImpactRow& row : contact->impacts()) seen.peak = std::max(seen.peak, row.peak_force);
+  for (const ContactMemory& contact : stepper.memory().contacts) {
+    seen.impacts += contact.impacts().size();
+    for (const ImpactRow& row : contact.impacts()) seen.peak = std::max(seen.peak, row.peak_force);
   }
   seen.description = solver->description();
   seen.energies = stepper.energies();

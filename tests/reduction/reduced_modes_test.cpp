@@ -334,7 +334,7 @@ class Rod {
   int coordinates = 0;
 
  private:
-  GapLink<laws::LinearSpring> contact_;
+  GapContact<laws::LinearSpring> contact_;
 };
 
 TEST(RodOnAWall, PressesAsItsClosedFormWithAllBlocks) {

@@ -189,9 +189,10 @@ TEST(PaperEquation2, IsTheAssembledSystemWhileTheLinkPresses) {
   const System system = assemble(model);
   const double c1 = 0.1 * std::sqrt(6e6 * 1e5), c2 = 0.06 * std::sqrt(37e6 * 1.5e5);
   const double s = 93.5e6, c = 2 * 0.14 * std::sqrt(s * 6e4);
-  Contact& link = *model.links[0].contact;
-  link.on_event(0, 0.0, {0.0, 1.0});
-  const laws::Response slopes = link.evaluate({1e-3, 0.5});
+  const Contact& contact = *model.links[0].contact;
+  ContactMemory memory = contact.initial();
+  contact.on_event(memory, 0, 0.0, {0.0, 1.0});
+  const laws::Response slopes = contact.evaluate(memory, {1e-3, 0.5});
   const Eigen::MatrixXd stiffness =
       system.stiffness + slopes.by_penetration * system.gap_jacobian * system.gap_jacobian.transpose();
   const Eigen::MatrixXd damping =

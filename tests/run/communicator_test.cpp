@@ -110,7 +110,8 @@ INSTANTIATE_TEST_SUITE_P(Solvers, TwoHalves, testing::Values("modal", "sparse"),
 TEST(TwoHalves, StopByThemselves) {
   const Half half;
   const Model model = test::model_of(model_of_half(half.number()));
-  const RunOptions options{.comm = half.comm(), .stop = [&] { return half.number() == 1; }};
+  const RunOptions options{.comm = half.comm(),
+                           .stop = [&](std::span<const ContactMemory>) { return half.number() == 1; }};
   if (half.number() == 1)
     EXPECT_THROW(run(model, options), FailedRun);
   else

@@ -550,8 +550,10 @@ TEST(Frames, GoOnToTheSameBits) {
   Outcome whole = test::run_text(yaml);
   {
     const Model model = test::model_of(yaml);
-    EXPECT_THROW(run(model, {.output = path, .stop = [&] { return !model.links[0].contact->impacts().empty(); }}),
-                 FailedRun);
+    EXPECT_THROW(
+        run(model, {.output = path,
+                    .stop = [](std::span<const ContactMemory> contacts) { return !contacts[0].impacts().empty(); }}),
+        FailedRun);
   }
   const Model model = test::model_of(yaml);
   Outcome continued = run(model, {.output = path, .resume = path});

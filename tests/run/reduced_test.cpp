@@ -189,7 +189,7 @@ TEST_F(ReducedRun, GoesOnWithTheSameBits) {
   {
     const Model model = test::model_of(yaml);
     RunOptions options{.output = file};
-    options.stop = [&] { return !model.links[0].contact->impacts().empty(); };
+    options.stop = [](std::span<const ContactMemory> contacts) { return !contacts[0].impacts().empty(); };
     EXPECT_THROW(run(model, options), FailedRun);
   }
   const Outcome continued = run(test::model_of(yaml), {.output = file, .resume = file}), whole = test::run_text(yaml);
@@ -214,7 +214,7 @@ TEST_F(ReducedRun, IsCheckedAfterAStopInItsCheck) {
   const Model model = test::model_of(yaml);
   RunOptions options{.output = file};
   std::optional<std::filesystem::file_time_type> first;
-  options.stop = [&] {
+  options.stop = [&](std::span<const ContactMemory>) {
     const auto written = std::filesystem::last_write_time(file);
     if (!first) first = written;
     return written != *first;
@@ -271,11 +271,11 @@ TEST(AutomaticReduction, GoesOnAtTheDepthThatItHadReached) {
     std::filesystem::file_time_type last{};
     // In the second run, after an impact. The file is written at the start of a run; a fast run is sampled too rarely
     // to detect its new contacts.
-    options.stop = [&] {
+    options.stop = [&](std::span<const ContactMemory> contacts) {
       const auto written = std::filesystem::last_write_time(file);
       if (last != std::filesystem::file_time_type{} && written != last) ++begun;
       last = written;
-      return begun > 0 && !model.links[0].contact->impacts().empty();
+      return begun > 0 && !contacts[0].impacts().empty();
     };
     EXPECT_THROW(run(model, options), FailedRun);
   }
@@ -670,8 +670,8 @@ TEST_P(ReducedWithParts, GoOnWithTheSameBits) {
   {
     const Model model = test::model_of(yaml);
     RunOptions options{.output = file};
-    options.stop = [&] {
-      return std::ranges::any_of(model.links, [](const Link& link) { return !link.contact->impacts().empty(); });
+    options.stop = [](std::span<const ContactMemory> contacts) {
+      return std::ranges::any_of(contacts, [](const ContactMemory& contact) { return !contact.impacts().empty(); });
     };
     EXPECT_THROW(run(model, options), FailedRun);
   }

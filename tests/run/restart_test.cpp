@@ -79,17 +79,17 @@ void expect_same(const Outcome& whole, const Outcome& continued) {
   }
 }
 
-using StopWhen = bool (*)(const Contact& contact);
+using StopWhen = bool (*)(const ContactMemory& contact);
 
-bool pressed(const Contact& contact) { return presses(contact.phase()); }
+bool pressed(const ContactMemory& contact) { return presses(contact.phase()); }
 // Monitor calls depend on the clock: on a busy machine an impact may begin and end between two calls.
-bool touched(const Contact& contact) { return presses(contact.phase()) || !contact.impacts().empty(); }
-bool apart(const Contact& contact) { return !contact.impacts().empty() && contact.phase() == ContactPhase::open; }
+bool touched(const ContactMemory& contact) { return presses(contact.phase()) || !contact.impacts().empty(); }
+bool apart(const ContactMemory& contact) { return !contact.impacts().empty() && contact.phase() == ContactPhase::open; }
 
 void stop(const Model& model, const RunOptions& base, StopWhen when) {
   RunOptions options = base;
   bool stopped = false;
-  options.stop = [&] { return stopped = when(*model.links[0].contact); };
+  options.stop = [&](std::span<const ContactMemory> contacts) { return stopped = when(contacts[0]); };
   EXPECT_THROW(run(model, options), FailedRun);
   ASSERT_TRUE(stopped) << "the run ended before it was stopped";
 }
@@ -140,7 +140,7 @@ constexpr const char* resting =
     "analysis: {duration: 3, max_step: 1 ms}\n";
 
 TEST(ResumeAtRest, GivesTheSameBits) {
-  expect_to_go_on(resting, [](const Contact& contact) { return contact.phase() == ContactPhase::resting; });
+  expect_to_go_on(resting, [](const ContactMemory& contact) { return contact.phase() == ContactPhase::resting; });
 }
 
 // The maxima of the run occur before the stop: motion that decays after one impact.
@@ -232,7 +232,7 @@ TEST(ResumeInEveryStepOfAContact, FindsTheSamePeakAccelerations) {
 TEST(ResumeWithASpentBudgetOfEnergy, GivesTheSameBits) {
   for (const std::string scheme : schemes) {
     SCOPED_TRACE(scheme);
-    const StopWhen late = [](const Contact& contact) {
+    const StopWhen late = [](const ContactMemory& contact) {
       return contact.impacts().size() > 60 && presses(contact.phase());
     };
     expect_to_go_on(
@@ -338,7 +338,7 @@ TEST(ResumeOfFrames, GivesTheSameBits) {
   static int looks = 0;
   for (const int first : {0, 1}) {
     looks = first;
-    expect_to_go_on(frames, [](const Contact&) { return ++looks == 3; });
+    expect_to_go_on(frames, [](const ContactMemory&) { return ++looks == 3; });
   }
 }
 

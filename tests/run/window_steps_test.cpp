@@ -107,10 +107,9 @@ struct Followed {
   Eigen::VectorXd first_peaks() const {
     Eigen::VectorXd first(system.contact_count());
     for (int i = 0; i < system.contact_count(); ++i) {
-      EXPECT_FALSE(system.contacts[static_cast<std::size_t>(i)]->impacts().empty());
-      first[i] = system.contacts[static_cast<std::size_t>(i)]->impacts().empty()
-                     ? 0
-                     : system.contacts[static_cast<std::size_t>(i)]->impacts()[0].peak_force;
+      const std::span<const ImpactRow> impacts = stepper->memory().contacts[static_cast<std::size_t>(i)].impacts();
+      EXPECT_FALSE(impacts.empty());
+      first[i] = impacts.empty() ? 0 : impacts[0].peak_force;
     }
     return first;
   }

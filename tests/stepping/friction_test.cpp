@@ -12,7 +12,6 @@
 #include <pounding/linear/modal_solver.hpp>
 #include <pounding/links/friction.hpp>
 #include <pounding/links/gap_link.hpp>
-#include <pounding/links/rigid_gap_link.hpp>
 #include <pounding/stepping/stepper.hpp>
 #include "support/block_on_wall.hpp"
 #include "support/book.hpp"
@@ -156,7 +155,7 @@ struct Oblique {
                           angle = 0.4;
   static constexpr double stiffness = 2.75e9, coefficient = 0.5, sliding = 0.02, amplitude = 4, ground_period = 0.6,
                           delay = 0.11;
-  GapLink<laws::Hertz> link{laws::Hertz{.stiffness = stiffness}, gap};
+  GapContact<laws::Hertz> link{laws::Hertz{.stiffness = stiffness}, gap};
   System system;
 
   static double spring(int i) {
@@ -229,7 +228,7 @@ TEST_P(WithFriction, AnObliqueImpactIsThatOfAnIndependentIntegration) {
   Stepper stepper(problem.system, base, {.tolerance = 1e-6, .scheme = scheme, .max_step = 0.01});
   stepper.start(0, Eigen::Vector4d::Zero(), Eigen::Vector4d::Zero());
   test::march(stepper, end, 0.01);
-  EXPECT_GE(problem.link.impacts().size(), 3u);
+  EXPECT_GE(stepper.memory().contacts[0].impacts().size(), 3u);
   book.below("oblique impact: displacements, difference over size [-]", (stepper.state().u - expected.head(4)).norm(),
              1e-5 * expected.head(4).norm());
   book.below("oblique impact: velocities, difference over size [-]",
@@ -239,7 +238,7 @@ TEST_P(WithFriction, AnObliqueImpactIsThatOfAnIndependentIntegration) {
   book.near("oblique impact: work of the friction [J]", stepper.friction_work()[0], lost, 1e-5 * lost);
   const Energies e = stepper.energies();
   EXPECT_NEAR(e.input, e.kinetic + e.strain + e.damping + e.impact, 1e-5 * lost);
-  EXPECT_DOUBLE_EQ(e.impact, stepper.friction_work()[0] + problem.link.work());
+  EXPECT_DOUBLE_EQ(e.impact, stepper.friction_work()[0] + stepper.memory().contacts[0].log.work());
 }
 
 // Constant normal force, so that friction is smooth: the block on a spring decelerates.
@@ -315,7 +314,7 @@ TEST(Friction, IsRefusedWhereItCannotWork) {
     }
     return std::string();
   };
-  RigidGapLink rigid(0.5, 0.0);
+  const RigidContact rigid(0.5, 0.0);
   EXPECT_EQ(text_of([](System&) {}), "");
   EXPECT_TRUE(test::mentions(text_of([&](System& s) { s.contacts = {&rigid}; }), {"friction"}));
   EXPECT_TRUE(test::mentions(text_of([](System& s) { s.frictions[0].sliding = 0; }), {"friction"}));

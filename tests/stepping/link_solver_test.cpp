@@ -12,7 +12,6 @@
 #include <pounding/hysteresis/bouc_wen.hpp>
 #include <pounding/laws/hertz.hpp>
 #include <pounding/links/gap_link.hpp>
-#include <pounding/links/rigid_gap_link.hpp>
 #include <pounding/stepping/links/link_solver.hpp>
 #include <pounding/structures/hysteretic_spring.hpp>
 
@@ -52,8 +51,9 @@ struct Lost {
 
 /// Closed links, their data, and the computed forces.
 struct Few {
-  std::vector<std::unique_ptr<Contact>> contacts;
-  std::vector<std::unique_ptr<Spring>> springs;
+  std::vector<std::unique_ptr<const Contact>> contacts;
+  std::vector<ContactMemory> memories;
+  std::vector<std::unique_ptr<const Spring>> springs;
   System system;
   std::unique_ptr<LinkSet> links;
   std::unique_ptr<LinkSolver> solver;
@@ -66,8 +66,8 @@ struct Few {
 
   template <class Law>
   void press(const Law& law) {
-    contacts.push_back(std::make_unique<GapLink<Law>>(law, 0.0));
-    contacts.back()->on_event(0, 0, {0, 1});
+    contacts.push_back(std::make_unique<GapContact<Law>>(law, 0.0));
+    contacts.back()->on_event(memories.emplace_back(contacts.back()->initial()), 0, 0, {0, 1});
   }
   void press_either(bool curved, const Linear& law) {
     if (curved)
@@ -76,15 +76,16 @@ struct Few {
       press(law);
   }
   void rest() {
-    contacts.push_back(std::make_unique<RigidGapLink>(0.5, 0.0));
-    contacts.back()->jumped(0, {}, true);
+    contacts.push_back(std::make_unique<RigidContact>(0.5, 0.0));
+    contacts.back()->jumped(memories.emplace_back(contacts.back()->initial()), 0, {}, true);
   }
   bool solve(double guess = 0) {
     const int count = static_cast<int>(free.size());
     system.gap_jacobian.resize(0, count);
     system.contacts.clear();
     for (const auto& contact : contacts) system.contacts.push_back(contact.get());
-    for (const auto& spring : springs) system.springs.push_back(spring.get());
+    for (const auto& spring : springs) system.elements.push_back(spring.get());
+    system.initial_contacts = memories;
     system.check();
     links = std::make_unique<LinkSet>(system);
     solver = std::make_unique<LinkSolver>(*links);
@@ -99,7 +100,7 @@ struct Few {
   double worst() const {
     double largest = 0;
     for (std::size_t i = 0; i < contacts.size(); ++i)
-      largest = std::max(largest, std::abs(contacts[i]->evaluate(motion(static_cast<int>(i))).force -
+      largest = std::max(largest, std::abs(contacts[i]->evaluate(memories[i], motion(static_cast<int>(i))).force -
                                            force[static_cast<Eigen::Index>(i)]) /
                                       force.norm());
     return largest;
@@ -137,7 +138,7 @@ TEST(LinkSolver, SolvesLinksThatShareABodyTogether) {
   Eigen::Matrix3d a = Eigen::Matrix3d::Identity();
   Eigen::Vector3d b;
   for (int i = 0; i < 3; ++i) {
-    const double k = dynamic_cast<GapLink<Linear>&>(*few.contacts[i]).evaluate({1, 0}).by_penetration, c = 1e-3 * k;
+    const double k = few.contacts[i]->evaluate(few.memories[i], {1, 0}).by_penetration, c = 1e-3 * k;
     a.row(i) += few.weight * (few.by_u * k + few.by_v * c) * few.flexibility.row(i);
     b[i] = k * few.free[i].penetration + c * few.free[i].rate;
   }
@@ -156,7 +157,7 @@ TEST(LinkSolver, LeavesEveryNonlinearLinkInBalanceFromAnyGuess) {
       ASSERT_TRUE(few.solve(guess)) << guess << count;
       for (int i = 0; i < count; ++i) {
         EXPECT_GT(few.force[i], 0);
-        EXPECT_NEAR(few.contacts[i]->evaluate(few.motion(i)).force, few.force[i], 1e-11 * few.force[i])
+        EXPECT_NEAR(few.contacts[i]->evaluate(few.memories[i], few.motion(i)).force, few.force[i], 1e-11 * few.force[i])
             << guess << count;
       }
       EXPECT_LT(few.solver->iterations(), 100);
@@ -250,7 +251,7 @@ TEST(LinkSolver, FindsTheTurnOfAJointWhoseHingesYieldTogether) {
   double sum = 0;
   for (int i = 0; i < members; ++i) {
     const double d = few.motion(i).penetration, moment = hinge * d + few.force[i];
-    EXPECT_NEAR(few.springs[static_cast<std::size_t>(i)]->evaluate({d, 0}).force, few.force[i],
+    EXPECT_NEAR(LoadedSpring(*few.springs[static_cast<std::size_t>(i)]).evaluate({d, 0}).force, few.force[i],
                 1e-10 * hinge * std::abs(d))
         << i;
     EXPECT_LE(std::abs(moment), yield[i]) << i;

@@ -10,7 +10,6 @@
 
 #include <pounding/linear/modal_solver.hpp>
 #include <pounding/links/gap_link.hpp>
-#include <pounding/links/rigid_gap_link.hpp>
 #include <pounding/stepping/stepper.hpp>
 #include "support/book.hpp"
 #include "support/direct.hpp"
@@ -37,7 +36,7 @@ INSTANTIATE_TEST_SUITE_P(Schemes, MovingGround, testing::ValuesIn(schemes),
 struct Delayed {
   static constexpr double mass[] = {1e5, 1.5e5}, period[] = {0.8, 0.4}, ratio = 0.05, gap = 0.02, stiffness = 2.75e9;
   static constexpr double amplitude = 3, ground_period = 0.6, duration = 1.5, delay = 0.13, end = 3;
-  GapLink<laws::Hertz> link{laws::Hertz{.stiffness = stiffness}, gap};
+  GapContact<laws::Hertz> link{laws::Hertz{.stiffness = stiffness}, gap};
   System system;
 
   explicit Delayed(double later = delay) {
@@ -90,7 +89,7 @@ TEST_P(MovingGround, TwoOscillatorsMoveAsInAbsoluteCoordinates) {
   Stepper stepper(problem.system, base, {.tolerance = 1e-6, .scheme = scheme, .max_step = 0.01});
   stepper.start(0, Eigen::Vector2d::Zero(), Eigen::Vector2d::Zero());
   test::march(stepper, Delayed::end, 0.01);
-  EXPECT_GE(problem.link.impacts().size(), 4u);
+  EXPECT_GE(stepper.memory().contacts[0].impacts().size(), 4u);
   const Eigen::MatrixXd& motion = stepper.outputs().motion;
   for (int i = 0; i < 2; ++i) {
     book.near("absolute displacement [m]", motion(i, 0) + problem.system.grounds[i].displacement(Delayed::end),
@@ -143,10 +142,11 @@ TEST_P(MovingGround, JumpsThatOnlyRoundingKeepsApartAreOne) {
 // A mass at rest on fixed ground; a wall on its right moves with other ground.
 struct BeforeWall {
   static constexpr double mass = 6e4;
-  std::unique_ptr<Contact> contact;
+  std::unique_ptr<const Contact> contact;
   System system;
 
-  BeforeWall(std::unique_ptr<Contact> link, const GroundMotion& motion, double spring = 0) : contact(std::move(link)) {
+  BeforeWall(std::unique_ptr<const Contact> link, const GroundMotion& motion, double spring = 0)
+      : contact(std::move(link)) {
     system.mass = diagonal({mass});
     system.damping = SparseMatrix(1, 1);
     system.stiffness = diagonal({spring});
@@ -169,13 +169,13 @@ TEST_P(MovingGround, AWallThatDriftsThrowsARigidMassAhead) {
                   "the wall",
                   "round-off");
   const double restitution = 0.6;
-  BeforeWall problem(std::make_unique<RigidGapLink>(restitution, 0.02), towards);
+  BeforeWall problem(std::make_unique<RigidContact>(restitution, 0.02), towards);
   ModalSolver base(problem.system);
   Stepper stepper(problem.system, base, {.tolerance = 1e-5, .scheme = scheme, .max_step = 0.05});
   stepper.start(0, Eigen::VectorXd::Zero(1), Eigen::VectorXd::Zero(1));
   test::march(stepper, 1, 0.05);
-  ASSERT_EQ(problem.contact->impacts().size(), 1u);
-  const ImpactRow& impact = problem.contact->impacts()[0];
+  ASSERT_EQ(stepper.memory().contacts[0].impacts().size(), 1u);
+  const ImpactRow& impact = stepper.memory().contacts[0].impacts()[0];
   book.near("touch [s]", impact.t_start, 0.25, 1e-11);
   book.near("approach [m/s]", impact.v_approach, 0.1, 1e-12);
   book.near("speed after it [m/s]", stepper.state().v[0], -0.16, 1e-12);
@@ -191,14 +191,14 @@ TEST_P(MovingGround, AWallThatDriftsThrowsAnElasticMassAhead) {
                   "a wall that drifts at 0.1 m/s throws a mass ahead by a linear spring: half a period of contact",
                   "run at tolerance 1e-6");
   const double stiffness = 9.35e7;
-  BeforeWall problem(std::make_unique<GapLink<laws::LinearSpring>>(laws::LinearSpring{.stiffness = stiffness}, 0.02),
+  BeforeWall problem(std::make_unique<GapContact<laws::LinearSpring>>(laws::LinearSpring{.stiffness = stiffness}, 0.02),
                      towards);
   ModalSolver base(problem.system);
   Stepper stepper(problem.system, base, {.tolerance = 1e-6, .scheme = scheme, .max_step = 0.05});
   stepper.start(0, Eigen::VectorXd::Zero(1), Eigen::VectorXd::Zero(1));
   test::march(stepper, 1, 0.05);
-  ASSERT_EQ(problem.contact->impacts().size(), 1u);
-  const ImpactRow& impact = problem.contact->impacts()[0];
+  ASSERT_EQ(stepper.memory().contacts[0].impacts().size(), 1u);
+  const ImpactRow& impact = stepper.memory().contacts[0].impacts()[0];
   const double w = std::sqrt(stiffness / BeforeWall::mass);
   book.near("touch [s]", impact.t_start, 0.25, 1e-11);
   book.near("separation [s]", impact.t_end, 0.25 + pi / w, 1e-7);
@@ -214,19 +214,19 @@ TEST_P(MovingGround, AMassRestsOnAWallThatAccelerates) {
   test::Book book("Multiple-support excitation", "a mass that a wall pushes while it gains speed: m a, then A T/pi",
                   "run at tolerance 1e-5");
   const double amplitude = 2, duration = 0.8, half = duration / 2;
-  BeforeWall problem(std::make_unique<RigidGapLink>(0.5, 0.0),
+  BeforeWall problem(std::make_unique<RigidContact>(0.5, 0.0),
                      GroundMotion(Pulse{Pulse::Shape::sine, -amplitude, duration}));
   ModalSolver base(problem.system);
   Stepper stepper(problem.system, base, {.tolerance = 1e-5, .scheme = scheme, .max_step = 0.02});
   stepper.start(0, Eigen::VectorXd::Zero(1), Eigen::VectorXd::Zero(1));
   test::march(stepper, 0.3, 0.02);
-  EXPECT_EQ(problem.contact->phase(), ContactPhase::resting);
+  EXPECT_EQ(stepper.memory().contacts[0].phase(), ContactPhase::resting);
   book.near("displacement while it rests [m]", stepper.state().u[0], problem.system.grounds[0].displacement(0.3),
             1e-14);
   book.near("force while it rests [N]", stepper.state().force[0],
             BeforeWall::mass * amplitude * std::sin(2 * pi * 0.3 / duration), 1e-6 * BeforeWall::mass * amplitude);
   test::march(stepper, 1, 0.02);
-  EXPECT_EQ(problem.contact->phase(), ContactPhase::open);
+  EXPECT_EQ(stepper.memory().contacts[0].phase(), ContactPhase::open);
   const double speed = amplitude * duration / pi, way = amplitude * duration / (2 * pi) * half;
   book.near("speed after that [m/s]", stepper.state().v[0], -speed, 1e-6 * speed);
   book.near("displacement after that [m]", stepper.state().u[0], -way - speed * (1 - half), 1e-6 * speed);
@@ -237,14 +237,14 @@ TEST_P(MovingGround, AMassRestsOnAWallThatAccelerates) {
 
 TEST_P(MovingGround, WhatGravityHasClosedIsMissingInTheGap) {
   const auto run = [&](double gap, double closed) {
-    BeforeWall problem(std::make_unique<GapLink<laws::Hertz>>(laws::Hertz{.stiffness = 2.75e9}, gap), {});
+    BeforeWall problem(std::make_unique<GapContact<laws::Hertz>>(laws::Hertz{.stiffness = 2.75e9}, gap), {});
     problem.system.gap_by_ground.resize(0, 0);
     if (closed != 0) problem.system.gravity_offset = Eigen::VectorXd::Constant(1, closed);
     ModalSolver base(problem.system);
     Stepper stepper(problem.system, base, {.tolerance = 1e-6, .scheme = scheme, .max_step = 0.01});
     stepper.start(0, Eigen::VectorXd::Zero(1), Eigen::VectorXd::Ones(1));
     test::march(stepper, 0.1, 0.01);
-    return std::pair(stepper.state().v[0], problem.contact->impacts()[0].t_start);
+    return std::pair(stepper.state().v[0], stepper.memory().contacts[0].impacts()[0].t_start);
   };
   const auto [speed, touch] = run(0.02, 0.005);
   const auto [expected_speed, expected_touch] = run(0.015, 0);
@@ -271,14 +271,14 @@ TEST_P(MovingGround, StepsKeepTheirOrder) {
   }();
   std::vector<double> errors;
   for (double h = end / 16; h > end / 100; h /= 2) {
-    BeforeWall problem(std::make_unique<GapLink<laws::LinearSpring>>(laws::LinearSpring{.stiffness = contact}, 0.0),
+    BeforeWall problem(std::make_unique<GapContact<laws::LinearSpring>>(laws::LinearSpring{.stiffness = contact}, 0.0),
                        GroundMotion(Harmonic{amplitude, period, 10}), k);
     problem.system.gravity_offset = Eigen::VectorXd::Constant(1, closed);
     ModalSolver base(problem.system);
     Stepper stepper(problem.system, base, {.tolerance = 1e-3, .scheme = scheme, .max_step = h});
     stepper.start(0, Eigen::VectorXd::Constant(1, rest), Eigen::VectorXd::Zero(1));
     test::march_evenly(stepper, end, h);
-    EXPECT_TRUE(presses(problem.contact->phase()));
+    EXPECT_TRUE(presses(stepper.memory().contacts[0].phase()));
     errors.push_back(std::hypot(stepper.state().u[0] - expected[0], 0.1 * (stepper.state().v[0] - expected[1])));
   }
   book.near("observed order on a moving ground [-]", std::log2(errors[errors.size() - 2] / errors.back()),

@@ -24,7 +24,7 @@ SparseMatrix one(double value) { return Eigen::MatrixXd::Constant(1, 1, value).s
 
 struct Problem {
   System system;
-  std::unique_ptr<Contact> contact;
+  std::unique_ptr<const Contact> contact;
   Eigen::VectorXd u, v;
   double end = 0;
 };
@@ -56,7 +56,7 @@ Problem ball_on_wall(const Law& law, double end) {
   p.system.damping = p.system.stiffness = SparseMatrix(1, 1);
   p.system.gap_jacobian = one(1);
   p.system.groups = {{0, 1, 1e-3, 1.0}};
-  p.contact = std::make_unique<GapLink<Law>>(law, 0.01);
+  p.contact = std::make_unique<GapContact<Law>>(law, 0.01);
   p.system.contacts = {p.contact.get()};
   p.u = Eigen::VectorXd::Zero(1);
   p.v = Eigen::VectorXd::Ones(1);

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include <pounding/links/gap_link.hpp>
-#include <pounding/links/rigid_gap_link.hpp>
 #include <pounding/stepping/event_functions.hpp>
 #include <pounding/stepping/links/rigid_impacts.hpp>
 
@@ -133,11 +132,12 @@ TEST(SlowestBounce, LeavesAHopThatAStepCanSee) {
 }
 
 TEST(HoldContacts, TakesTheDriftOfAHeldContactOut) {
-  RigidGapLink contact(0.5, 0.02);
-  contact.jumped(0, {}, true);
+  const RigidContact contact(0.5, 0.02);
   System system;
   system.gap_jacobian.resize(0, 1);
   system.contacts = {&contact};
+  system.initial_contacts = {contact.initial()};
+  contact.jumped(system.initial_contacts[0], 0, {}, true);
   system.gap_by_ground = MatrixXd::Ones(1, 1);
   const LinkSet links(system);
   const RigidContacts rigid{MatrixXd::Constant(1, 1, 0.5), MatrixXd::Constant(1, 1, 0.5)};  // one body of 2 kg

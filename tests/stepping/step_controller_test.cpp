@@ -35,7 +35,7 @@ struct Oscillators {
         solver(system),
         stepper(system, solver, {.tolerance = tolerance, .scheme = scheme, .max_step = longest}) {}
   void start() { stepper.start(0, Eigen::VectorXd::Zero(system.size()), Eigen::VectorXd::Zero(system.size())); }
-  std::span<const ImpactRow> impacts() const { return model.links[0].contact->impacts(); }
+  std::span<const ImpactRow> impacts() const { return stepper.memory().contacts[0].impacts(); }
 };
 
 // With this type of TSAdapt; null for the default.

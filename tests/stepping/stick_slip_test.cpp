@@ -38,7 +38,7 @@ void stiffen(Block& block, double k = stiffness) { block.system.frictions[0].sti
 
 // Contact of a law with a force in which a friction is evaluated.
 struct Pressed {
-  GapLink<laws::Hertz> link{laws::Hertz{.stiffness = 5e6}, 0.0};
+  GapContact<laws::Hertz> link{laws::Hertz{.stiffness = 5e6}, 0.0};
 
   static laws::Response response(const LinkMotion& at) {
     const double d = at.penetration;

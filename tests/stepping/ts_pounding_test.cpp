@@ -46,7 +46,7 @@ struct Driven {
     check(TSSetTimeStep(ts, 1e-3));
     check(petsc::set_stepper(ts, &stepper));
   }
-  std::span<const ImpactRow> impacts() const { return model.links[0].contact->impacts(); }
+  std::span<const ImpactRow> impacts() const { return stepper.memory().contacts[0].impacts(); }
 };
 
 double value(Vec x, PetscInt i) {

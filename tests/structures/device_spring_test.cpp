@@ -8,15 +8,18 @@
 #include <string>
 
 #include <pounding/structures/device_spring.hpp>
+#include "support/loaded.hpp"
 
 namespace pounding {
 namespace device_spring_test {
+
+using DeviceSpring = test::Loaded<pounding::DeviceSpring, DeviceParts>;
 
 constexpr double k = 5e6, c = 2e5;
 
 TEST(DeviceSpring, HasSlopesThatAreDerivatives) {
   for (const double exponent : {0.2, 0.35, 0.5, 1.0, 1.5, 2.0}) {
-    const DeviceSpring both({.bar = Bar{k}, .damper = Damper{.coefficient = c, .exponent = exponent}});
+    const DeviceSpring both(DeviceParts{.bar = Bar{k}, .damper = Damper{.coefficient = c, .exponent = exponent}});
     for (const double d : {-0.02, 0.0, 0.01})
       for (const double v : {-0.4, -1e-3, -1e-5, 0.0, 3e-4, 2e-3, 0.7}) {
         const laws::Response at = both.evaluate({d, v});
@@ -33,7 +36,8 @@ TEST(DeviceSpring, HasSlopesThatAreDerivatives) {
 }
 
 TEST(DeviceSpring, PullsWhereItGetsLongerAndPushesWhereItGetsShorter) {
-  const DeviceSpring bar({.bar = Bar{k}}), damper({.damper = Damper{.coefficient = c, .exponent = 0.35}});
+  const DeviceSpring bar(DeviceParts{.bar = Bar{k}}),
+      damper(DeviceParts{.damper = Damper{.coefficient = c, .exponent = 0.35}});
   EXPECT_EQ(bar.evaluate({0.01, 5}).force, 0.01 * k);
   EXPECT_EQ(bar.evaluate({-0.01, 5}).force, -0.01 * k);
   EXPECT_EQ(damper.evaluate({7, 0}).force, 0);
@@ -43,7 +47,7 @@ TEST(DeviceSpring, PullsWhereItGetsLongerAndPushesWhereItGetsShorter) {
 
 // One period of d = D sin(w t): a linear damper dissipates pi c w D^2.
 TEST(DeviceSpring, TakesTheEnergyOfItsForceAndNothingInTheBar) {
-  DeviceSpring both({.bar = Bar{k}, .damper = Damper{.coefficient = c}});
+  DeviceSpring both(DeviceParts{.bar = Bar{k}, .damper = Damper{.coefficient = c}});
   constexpr double amplitude = 0.02, w = 7;
   constexpr int steps = 40;
   const auto at = [&](double t) { return LinkMotion{amplitude * std::sin(w * t), amplitude * w * std::cos(w * t)}; };
@@ -64,41 +68,44 @@ TEST(DeviceSpring, TakesTheEnergyOfItsForceAndNothingInTheBar) {
 }
 
 TEST(DeviceSpring, IsKeptByAnArchive) {
-  DeviceSpring kept({.bar = Bar{k}, .damper = Damper{.coefficient = c, .exponent = 0.5}});
+  DeviceSpring kept(DeviceParts{.bar = Bar{k}, .damper = Damper{.coefficient = c, .exponent = 0.5}});
   kept.start({0.01, 0});
   kept.accept({.begin = 0, .end = 0.1, .motion_begin = {0.01, 0.1}, .motion_middle = {}, .motion_end = {0.02, 0.1}});
   Archive written;
   kept.archive(written);
-  DeviceSpring other({.bar = Bar{k}, .damper = Damper{.coefficient = c, .exponent = 0.5}});
+  DeviceSpring other(DeviceParts{.bar = Bar{k}, .damper = Damper{.coefficient = c, .exponent = 0.5}});
   Archive read(written.bytes());
   other.archive(read);
-  EXPECT_EQ(other.elongation(), kept.elongation());
+  EXPECT_EQ(other.stored_correction(), kept.stored_correction());
   EXPECT_EQ(other.damped(), kept.damped());
   EXPECT_GT(other.damped(), 0);
 }
 
 TEST(DeviceSpring, RefusesNumbersThatCannotBe) {
   const double infinity = std::numeric_limits<double>::infinity();
-  EXPECT_THROW(DeviceSpring({}), std::invalid_argument);
+  EXPECT_THROW(DeviceSpring(DeviceParts{}), std::invalid_argument);
   for (const double wrong : {0.0, -1.0, infinity, std::nan("")}) {
-    EXPECT_THROW(DeviceSpring({.bar = Bar{wrong}}), std::invalid_argument);
-    EXPECT_THROW(DeviceSpring({.damper = Damper{.coefficient = wrong}}), std::invalid_argument);
-    EXPECT_THROW(DeviceSpring({.damper = Damper{.coefficient = 1, .exponent = 0.5, .rounding_velocity = wrong}}),
-                 std::invalid_argument);
+    EXPECT_THROW(DeviceSpring(DeviceParts{.bar = Bar{wrong}}), std::invalid_argument);
+    EXPECT_THROW(DeviceSpring(DeviceParts{.damper = Damper{.coefficient = wrong}}), std::invalid_argument);
+    EXPECT_THROW(
+        DeviceSpring(DeviceParts{.damper = Damper{.coefficient = 1, .exponent = 0.5, .rounding_velocity = wrong}}),
+        std::invalid_argument);
   }
   for (const double wrong : {0.049, 2.1, -1.0, std::nan("")})
-    EXPECT_THROW(DeviceSpring({.damper = Damper{.coefficient = 1, .exponent = wrong}}), std::invalid_argument);
+    EXPECT_THROW(DeviceSpring(DeviceParts{.damper = Damper{.coefficient = 1, .exponent = wrong}}),
+                 std::invalid_argument);
 }
 
 // The number of steps would be inversely proportional to the relaxation time.
 TEST(DeviceSpring, RefusesASpringInSeriesThatIsFarTooStiff) {
   for (const double exponent : {0.05, 0.2, 0.5, 1.0, 2.0}) {
     const double stiffest = exponent * 2e6 / Damper::shortest_relaxation;
-    EXPECT_NO_THROW(
-        DeviceSpring({.damper = Damper{.coefficient = 2e6, .exponent = exponent, .stiffness = 0.999 * stiffest}}));
+    EXPECT_NO_THROW(DeviceSpring(
+        DeviceParts{.damper = Damper{.coefficient = 2e6, .exponent = exponent, .stiffness = 0.999 * stiffest}}));
     for (const double stiffness : {1.001 * stiffest, 4e19, 1e300})
-      EXPECT_THROW(DeviceSpring({.damper = Damper{.coefficient = 2e6, .exponent = exponent, .stiffness = stiffness}}),
-                   std::invalid_argument);
+      EXPECT_THROW(
+          DeviceSpring(DeviceParts{.damper = Damper{.coefficient = 2e6, .exponent = exponent, .stiffness = stiffness}}),
+          std::invalid_argument);
   }
 }
 
@@ -122,7 +129,7 @@ TEST(DeviceSpring, SolvesTheStretchBesideItsDashpot) {
 
 TEST(DeviceSpring, BeginsWithADamperAtRestAndLosesWhatItsDashpotTakes) {
   const Damper damper{.coefficient = c, .exponent = 0.5, .stiffness = k};
-  DeviceSpring maxwell({.damper = damper});
+  DeviceSpring maxwell(DeviceParts{.damper = damper});
   EXPECT_TRUE(maxwell.slips());
   LinkMotion motion{0.02, 0};
   motion.slip = maxwell.first_slip(motion);
@@ -149,8 +156,8 @@ TEST(DeviceSpring, BeginsWithADamperAtRestAndLosesWhatItsDashpotTakes) {
 // Dy).
 TEST(DeviceSpring, YieldsByItsLawAndGivesAllOfItsForce) {
   DeviceSpring brace(
-      {.law = hysteresis::Settings{.law = "bilinear",
-                                   .values = {{"stiffness", k}, {"yield_force", 0.01 * k}, {"hardening", 0.1}}}});
+      DeviceParts{.law = hysteresis::Settings{
+                      .law = "bilinear", .values = {{"stiffness", k}, {"yield_force", 0.01 * k}, {"hardening", 0.1}}}});
   EXPECT_EQ(brace.stiffness(), 0) << "not assembled into a structure";
   EXPECT_DOUBLE_EQ(brace.first_slope(), k);
   EXPECT_DOUBLE_EQ(brace.yield_deformation(), 0.01);
@@ -177,12 +184,12 @@ TEST(DeviceSpring, YieldsByItsLawAndGivesAllOfItsForce) {
 
 TEST(DeviceSpring, RefusesPartsThatContradict) {
   const hysteresis::Settings law{.law = "bilinear", .values = {{"stiffness", k}, {"yield_force", 0.01 * k}}};
-  EXPECT_NO_THROW(DeviceSpring({.law = law}));
-  EXPECT_THROW(DeviceSpring({.bar = Bar{k}, .law = law}), std::invalid_argument);
-  EXPECT_THROW(DeviceSpring({.law = hysteresis::Settings{.law = "bilinear", .values = {{"stiffness", k}}}}),
+  EXPECT_NO_THROW(DeviceSpring(DeviceParts{.law = law}));
+  EXPECT_THROW(DeviceSpring(DeviceParts{.bar = Bar{k}, .law = law}), std::invalid_argument);
+  EXPECT_THROW(DeviceSpring(DeviceParts{.law = hysteresis::Settings{.law = "bilinear", .values = {{"stiffness", k}}}}),
                std::invalid_argument);
-  EXPECT_NO_THROW(DeviceSpring({.damper = Damper{.coefficient = c, .exponent = 1.5, .stiffness = k}}));
-  EXPECT_THROW(DeviceSpring({.damper = Damper{.coefficient = c, .stiffness = -k}}), std::invalid_argument);
+  EXPECT_NO_THROW(DeviceSpring(DeviceParts{.damper = Damper{.coefficient = c, .exponent = 1.5, .stiffness = k}}));
+  EXPECT_THROW(DeviceSpring(DeviceParts{.damper = Damper{.coefficient = c, .stiffness = -k}}), std::invalid_argument);
 }
 
 }  // namespace device_spring_test

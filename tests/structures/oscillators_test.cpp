@@ -251,8 +251,10 @@ TEST(ReducedMass, CalibratesTheDamping) {
   const Model model = model_of(two_structures +
                                "links:\n  - {between: [left.1, right], gap: 0, law: kelvin_voigt, stiffness: 100, "
                                "damping_ratio: 0.25, reduced_mass: 9}\nanalysis: {duration: 1}\n");
-  model.links[0].contact->on_event(0, 0, {0, 1});
-  EXPECT_DOUBLE_EQ(model.links[0].contact->evaluate({0.1, 0}).by_rate, 2 * 0.25 * 30);
+  const Contact& contact = *model.links[0].contact;
+  ContactMemory memory = contact.initial();
+  contact.on_event(memory, 0, 0, {0, 1});
+  EXPECT_DOUBLE_EQ(contact.evaluate(memory, {0.1, 0}).by_rate, 2 * 0.25 * 30);
   EXPECT_TRUE(model.links[0].reduced_mass_given);
 }
 

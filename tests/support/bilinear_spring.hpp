@@ -3,6 +3,7 @@
 
 #include <pounding/hysteresis/bilinear.hpp>
 #include <pounding/structures/hysteretic_spring.hpp>
+#include "support/loaded.hpp"
 
 namespace pounding {
 
@@ -22,7 +23,17 @@ class BilinearSpring final : public HystereticSpring<hysteresis::Bilinear> {
       : HystereticSpring({.initial_stiffness = p.stiffness, .yield_force = p.yield_force, .hardening = p.hardening}) {}
 
   /// Plastic part of the deformation [m].
-  double slip() const noexcept { return kept().slip; }
+  static double slip(ConstElementMemory memory) noexcept { return kept(memory).slip; }
 };
 
+namespace test {
+
+/// A bilinear spring in isolation.
+class LoadedBilinear : public Loaded<BilinearSpring, BilinearSpring::Parameters> {
+ public:
+  using Loaded::Loaded;
+  double slip() const noexcept { return BilinearSpring::slip(memory()); }
+};
+
+}  // namespace test
 }  // namespace pounding

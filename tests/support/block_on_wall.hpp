@@ -15,7 +15,7 @@ namespace pounding::test {
 struct Block {
   static constexpr double mass = 2e3, held_by = 1e7, stiffness = 4e7, closed = 1e-3, coefficient = 0.3;
   static constexpr double pressed = stiffness * held_by * closed / (held_by + stiffness);  // 8 kN
-  GapLink<laws::LinearSpring> link{laws::LinearSpring{.stiffness = stiffness}, 0.0};
+  GapContact<laws::LinearSpring> link{laws::LinearSpring{.stiffness = stiffness}, 0.0};
   System system;
   Eigen::VectorXd u;
 

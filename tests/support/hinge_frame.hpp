@@ -35,7 +35,7 @@ struct HingeFrame {
   Options options;
   System system;
   std::vector<std::unique_ptr<BilinearSpring>> springs;
-  std::vector<std::unique_ptr<Contact>> contacts;
+  std::vector<std::unique_ptr<const Contact>> contacts;
   std::vector<double> spring_stiffness, yield_moment;
   Eigen::VectorXd base;        ///< base shear of the first frame: base . (K u + B F)
   int unknowns = 0;            ///< of one frame
@@ -78,13 +78,13 @@ struct HingeFrame {
     system.outputs.resize(n, s * options.frames);
     system.outputs.setFromTriplets(rows.begin(), rows.end());
     if (!options.elastic)
-      for (const auto& spring : springs) system.springs.push_back(spring.get());
+      for (const auto& spring : springs) system.elements.push_back(spring.get());
   }
 
   int hinges() const { return static_cast<int>(springs.size()); }
 
   /// Adds one contact between the top floors of two frames: its column of B precedes those of the springs.
-  void add_contact(std::unique_ptr<Contact> contact) {
+  void add_contact(std::unique_ptr<const Contact> contact) {
     Eigen::MatrixXd wider = Eigen::MatrixXd::Zero(system.size(), system.links() + 1);
     wider.rightCols(system.links()) = Eigen::MatrixXd(system.gap_jacobian);
     wider(6 * options.storeys - 3, 0) = 1;
@@ -167,6 +167,7 @@ struct HingeFrame {
 
 /// Results of a run, for the first frame only.
 struct HingeFrameRun {
+  std::size_t impacts = 0;
   std::vector<double> peak_floor, end_floor;         ///< [m]
   std::vector<double> ductility, peak_moment, slip;  ///< by hinge
   double base_shear = 0, hinge_work = 0;             ///< [N], [J]
@@ -228,12 +229,14 @@ inline HingeFrameRun run_hinge_frame(HingeFrame& frame, StructureSolver& solver,
   run.iterations = stepper.iterations();
   run.end = stepper.state();
   run.energy = stepper.energies();
+  for (const ContactMemory& contact : stepper.memory().contacts) run.impacts += contact.impacts().size();
   for (int i = 0; i < frame.options.storeys; ++i) run.end_floor.push_back(stepper.outputs().motion(i, 0));
   for (int i = 0; i < hinges; ++i) {
     const double d = stepper.link_steps()[contacts + i].motion_end.penetration;
-    run.slip.push_back(frame.springs[i]->slip());
-    run.hinge_work +=
-        frame.springs[i]->lost() + frame.springs[i]->stored_correction() + 0.5 * frame.spring_stiffness[i] * d * d;
+    const ConstElementMemory memory = stepper.memory().elements[i];
+    const ElementEnergy energy = frame.springs[i]->energy(memory);
+    run.slip.push_back(BilinearSpring::slip(memory));
+    run.hinge_work += energy.lost + energy.stored_correction + 0.5 * frame.spring_stiffness[i] * d * d;
   }
   return run;
 }

@@ -14,7 +14,6 @@
 
 #include <fmt/format.h>
 
-#include <pounding/links/gap_link.hpp>
 #include "support/book.hpp"
 #include "support/records.hpp"
 #include "support/runs.hpp"
@@ -189,10 +188,14 @@ TEST_P(Isolation, AgreesWithAnIndependentIntegratorInElCentro) {
   for (std::size_t i = 0; i < r.forces.size(); ++i)
     book.near(name("peak force of a wall [N]"), run.summary.links[i].peak_force, r.forces[i], 1e-6 * r.forces[i]);
   for (std::size_t i = 0; i < r.impacts.size(); ++i) EXPECT_EQ(run.summary.links[i].impacts, r.impacts[i]);
+  // Approach of the ends minus penetration minus initial gap.
+  const auto indentation = [&](std::size_t i) {
+    const double slab = history.displacement[history.displacement.size() - r.displacement.size()];
+    return (i == 0 ? -slab : slab) - run.results.links[i].penetration.back() - model.links[i].gap;
+  };
   for (std::size_t i = 0; i < r.pressed_in.size(); ++i)
-    book.near(name("permanent indentation of the backfill [m]"),
-              dynamic_cast<const GapLink<laws::Backfill>&>(*model.links[i].contact).gap() - model.links[i].gap,
-              r.pressed_in[i], 1e-6 * r.displacement[0]);
+    book.near(name("permanent indentation of the backfill [m]"), indentation(i), r.pressed_in[i],
+              1e-6 * r.displacement[0]);
   EXPECT_EQ(s.springs[0].name, "isolators");
   EXPECT_EQ(s.springs[0].residual, history.springs.deformation.back());
   book.below(name("imbalance of the energies [-]"), run.summary.energy.error, 1e-6);

@@ -94,7 +94,7 @@ TEST(JankowskiInBothPhases, GivesTheRestitutionOfTheReference) {
     const double xi = laws::jankowski_2005({.restitution = requested(i)});
     Model model = test::model_of(ball_on_wall(mass, speed, fmt::format("hertz, stiffness: {}", stiffness), 2));
     Link& link = model.links[0];
-    link.contact = std::make_unique<GapLink<reference::JankowskiInBothPhases>>(
+    link.contact = std::make_shared<const GapContact<reference::JankowskiInBothPhases>>(
         reference::jankowski_in_both_phases_of(xi, stiffness, mass), link.gap);
     const ImpactRow impact = only_impact(run(model));
     if (2 * xi / std::sqrt(5.0) < 1)

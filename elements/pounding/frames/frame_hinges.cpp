@@ -177,8 +177,8 @@ double deformation_at_rest(const FrameModel& model, const Hinge& hinge, const Ro
 // Laws with corners are linear up to the first one. Smooth laws deform inelastically before yield, and the run starts
 // from there.
 void require_unyielded_at_rest(const YieldingPart& part, const HingeForces& forces) {
-  const Spring& spring = *part.spring;
-  const double at = part.at_rest, yield = spring.yield_deformation();
+  const LoadedSpring spring(part.spring());
+  const double at = part.at_rest, yield = part.yield_deformation();
   const std::optional<double> corner = spring.corner(at);
   const bool is_smooth = !spring.corner(1e3 * yield) && !spring.corner(-1e3 * yield);
   if (corner || (is_smooth && std::abs(at) > yield))
@@ -353,7 +353,7 @@ void let_hinges_yield(const FrameModel& model, const AssembledFrame& frame, cons
         s.yielding.emplace_back(model.frame.hinge_name(i), deformation_row(model.frame, frame, hinges[i], forces[i]),
                                 word_of(hinges[i]), parameters_of(model.frame, hinges[i], k), std::move(springs[i]));
     part.kind = YieldingPart::Kind::hinge;
-    part.limits = limits_of(model.frame, hinges[i], k, *part.spring);
+    part.limits = limits_of(model.frame, hinges[i], k, part.spring());
     part.at_rest = deformation_at_rest(model, hinges[i], part.deformation, k, s);
     require_unyielded_at_rest(part, forces[i]);
   }

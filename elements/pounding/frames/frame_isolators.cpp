@@ -31,7 +31,7 @@ std::string name_of(const FrameModel& model, const FrameIsolator& isolator) {
 double stiffness_of(const FrameModel& model, const FrameIsolator& isolator) {
   try {
     // The law contains the weight.
-    return make_isolator("", Row(1), isolator.options, 0).spring->stiffness();
+    return make_isolator("", Row(1), isolator.options, 0).stiffness();
   } catch (const std::invalid_argument& error) {
     refuse_isolator(model, isolator, error.what());
   }
@@ -106,14 +106,14 @@ void require_mass(const FrameModel& model, const FrameIsolator& isolator, const 
 
 // Laws with corners are linear up to the first one.
 void require_elastic_at_rest(const FrameModel& model, const FrameIsolator& isolator, const YieldingPart& part) {
-  const Spring& spring = *part.spring;
-  const double yield = spring.yield_deformation();
-  if (std::abs(part.at_rest) <= 1e-3 * yield || (spring.has_corners() && !spring.corner(part.at_rest))) return;
+  const LoadedSpring spring(part.spring());
+  const double yield = part.yield_deformation();
+  if (std::abs(part.at_rest) <= 1e-3 * yield || (spring->has_corners() && !spring.corner(part.at_rest))) return;
   refuse_isolator(model, isolator,
                   fmt::format("at rest, under gravity and loads, its horizontal force is {}, but it yields at {}; "
                               "connect the isolators by a slab: ties: [{{master: {}, nodes: [...], dofs: [ux]}}]",
-                              kilonewtons(spring.stiffness() * std::abs(part.at_rest)),
-                              kilonewtons(spring.stiffness() * yield), model.frame.node_name(isolator.node)));
+                              kilonewtons(part.stiffness() * std::abs(part.at_rest)),
+                              kilonewtons(part.stiffness() * yield), model.frame.node_name(isolator.node)));
 }
 
 }  // namespace

@@ -57,7 +57,7 @@ void emit_isolators(YAML::Emitter& out, const Structure& s) {
         << part.law;
     for (const YieldingPart::Parameter& parameter : part.parameters)
       if (std::isfinite(parameter.value)) emit(out, parameter.name, parameter.value);
-    emit(out, "stiffness", part.spring->stiffness());
+    emit(out, "stiffness", part.stiffness());
     out << YAML::EndMap;
   }
   out << YAML::EndMap;
@@ -88,8 +88,8 @@ void emit_hinges(YAML::Emitter& out, const std::vector<YieldingPart>& parts) {
     out << YAML::Key << hinge.name << YAML::Value << YAML::Flow << YAML::BeginMap;
     field(out, "law") << hinge.law;
     for (const YieldingPart::Parameter& parameter : hinge.parameters) emit(out, parameter.name, parameter.value);
-    emit(out, "yield_rotation", hinge.spring->yield_deformation());
-    if (hinge.at_rest != 0) emit(out, "moment_at_rest", hinge.spring->stiffness() * hinge.at_rest);
+    emit(out, "yield_rotation", hinge.yield_deformation());
+    if (hinge.at_rest != 0) emit(out, "moment_at_rest", hinge.stiffness() * hinge.at_rest);
     out << YAML::EndMap;
   }
   out << YAML::EndMap;

@@ -4,7 +4,9 @@
 #include <span>
 #include <vector>
 
-#include <pounding/links/contact.hpp>
+#include <pounding/core/archive.hpp>
+#include <pounding/links/impact_row.hpp>
+#include <pounding/links/link_step.hpp>
 
 namespace pounding {
 

@@ -184,18 +184,18 @@ System assemble(const Model& model, bool with_links) {
     for (const Link& link : model.links) {
       add_column(link, link.direction);
       system.contacts.push_back(link.contact.get());
+      ContactMemory& memory = system.initial_contacts.emplace_back(link.contact->initial());
+      if (link.pressed > 0) link.contact->press(memory, link.pressed);
       system.names.push_back(link.name);
     }
   const std::vector<Eigen::VectorXd> given_way = rests_by_yielding(model);
   for (std::size_t i = 0; i < model.structures.size(); ++i) {
     if (is_displaced)
       for (const double deformation : deformations_at_rest(model.structures[i])) loaded_from.push_back(deformation);
-    add_entries(relief, model.structures[i].yielding_flexibility, static_cast<int>(system.springs.size()));
+    add_entries(relief, model.structures[i].yielding_flexibility, static_cast<int>(system.is_part.size()));
     for (const YieldingPart& part : model.structures[i].yielding) {
       add_row(closing, part.deformation, 1, first[i], static_cast<int>(columns.size()));
-      Archive fresh(part.fresh);
-      part.spring->archive(fresh);
-      system.springs.push_back(part.spring.get());
+      if (part.direction == 0) system.elements.push_back(part.element.get());
       system.is_part.push_back(!part.is_device());
       system.names.push_back(fmt::format("{} of {}", part.name, model.structures[i].name));
       columns.push_back({.at_rest = part.at_rest});
@@ -207,8 +207,7 @@ System assemble(const Model& model, bool with_links) {
   }
   for (const Device& device : model.devices) {
     add_column(device, -device.direction, true);  // elongation
-    *device.member = DeviceSpring(device.parts);
-    system.springs.push_back(device.member.get());
+    system.elements.push_back(device.member.get());
     system.is_part.push_back(false);
     system.names.push_back(device.name);
   }
@@ -233,9 +232,9 @@ System assemble(const Model& model, bool with_links) {
   }
   const int links = static_cast<int>(columns.size());
   system.gap_jacobian = sparse_matrix(n, links, closing);
-  const int springs = static_cast<int>(system.springs.size());
+  const int springs = system.spring_count();
   if (is_displaced) {
-    loaded_from.resize(system.springs.size(), 0.0);  // devices between structures are undeformed at rest
+    loaded_from.resize(static_cast<std::size_t>(springs), 0.0);  // devices between structures are undeformed at rest
     system.loaded_from = Eigen::Map<const Eigen::VectorXd>(loaded_from.data(), springs);
   }
   if (!relief.empty()) system.spring_flexibility = sparse_matrix(springs, springs, relief);

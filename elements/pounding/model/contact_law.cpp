@@ -33,7 +33,7 @@ ContactLaw::Made ContactLaw::made(const laws::AnyLaw& law, double gap, int link)
   return {.name = std::string(laws::entry_of(law).name),
           .formula = std::string(laws::formula_name(law)),
           .parameters = laws::describe(law),
-          .contact = make_gap_link(law, gap, link)};
+          .contact = make_contact(law, gap, link)};
 }
 
 }  // namespace pounding

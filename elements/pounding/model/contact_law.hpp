@@ -11,8 +11,8 @@
 #include <vector>
 
 #include <pounding/laws/all.hpp>
-#include <pounding/links/gap_link.hpp>
-#include <pounding/links/rigid_gap_link.hpp>
+#include <pounding/links/gap_contact.hpp>
+#include <pounding/links/rigid_contact.hpp>
 
 namespace pounding {
 
@@ -56,7 +56,7 @@ class ContactLaw {
   struct Made {
     std::string name, formula;
     std::vector<laws::ResolvedValue> parameters;  ///< calibrated damping included
-    std::unique_ptr<Contact> contact;
+    std::shared_ptr<const Contact> contact;
   };
 
   ContactLaw(const laws::AnyLaw& law);
@@ -112,9 +112,9 @@ class ContactLaw {
     if constexpr (has_table && (!laws::has_damping<Law> || names_its_damping))
       made.parameters = laws::by_name::describe(law, 1);
     if constexpr (laws::instantaneous<Law>)
-      made.contact = std::make_unique<RigidGapLink>(law.restitution, gap, link);
+      made.contact = std::make_shared<const RigidContact>(law.restitution, gap, link);
     else
-      made.contact = std::make_unique<GapLink<Law>>(law, gap, link);
+      made.contact = std::make_shared<const GapContact<Law>>(law, gap, link);
     return made;
   }
 

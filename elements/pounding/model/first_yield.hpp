@@ -14,13 +14,13 @@
 
 namespace pounding {
 
-/// Magnitude of the deformation at which an undeformed spring yields on the way to this deformation; nullopt if it
+/// Magnitude of the deformation at which an undeformed part yields on the way to this deformation; nullopt if it
 /// stays elastic. If it yields at different magnitudes in the two directions, that of this direction.
-inline std::optional<double> yields_before(const Spring& spring, double deformation) {
-  const double weaker = spring.yield_deformation();
+inline std::optional<double> yields_before(const YieldingPart& part, double deformation) {
+  const double weaker = part.yield_deformation();
   if (!(std::abs(deformation) > weaker)) return {};
-  if (!spring.has_corners()) return weaker;
-  const std::optional<double> corner = spring.corner(deformation);
+  if (!part.has_spring() || !part.spring().has_corners()) return weaker;
+  const std::optional<double> corner = LoadedSpring(part.spring()).corner(deformation);
   return corner ? std::optional(std::max(weaker, std::abs(*corner))) : std::nullopt;
 }
 

@@ -61,7 +61,7 @@ void refuse_initial_yield(const Structure& s) {
   if (!s.elastic) return;
   for (const YieldingPart& part : s.yielding) {
     const double strained = part.at_rest + part.deformation.dot(s.initial_displacement);
-    if (const auto yield = yields_before(*part.spring, strained))
+    if (const auto yield = yields_before(part, strained))
       throw ModelError(ModelOption::initial_displacement,
                        fmt::format("deforms {} by {}, but it yields at {}; give less, or an initial_velocity",
                                    part.name, deformation_text(s, part, strained), deformation_text(s, part, *yield)));

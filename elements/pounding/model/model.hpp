@@ -61,7 +61,8 @@ struct Link {
   double stribeck_velocity = 0;                 ///< [m/s]
   double tangential_stiffness = 0;              ///< constant [N/m]; 0: none
   double tangential_ratio = 0;                  ///< of the tangential stiffness to the slope of the law; 0: none
-  std::unique_ptr<Contact> contact;
+  double pressed = 0;                           ///< penetration at the start of a preloaded contact [m]
+  std::shared_ptr<const Contact> contact;
 
   /// True if one of its ends is on this structure, counted from 0.
   bool hits(int structure) const { return left.structure == structure || right.structure == structure; }
@@ -75,7 +76,7 @@ struct Device {
   Eigen::Vector3d direction = Eigen::Vector3d::UnitX();  ///< line of action, from left to right
   std::optional<double> length;                          ///< in the drawing [m]
   DeviceParts parts;
-  std::unique_ptr<DeviceSpring> member;
+  std::shared_ptr<const DeviceSpring> member;
 };
 
 /// Below the minimum, round-off exceeds the error; above the maximum, impacts are not resolved.
@@ -314,8 +315,8 @@ class Model {
 /// Throws ModelError for a structure name that is not allowed in files.
 void require_structure_name(const std::string& name);
 
-/// Equations of motion of a complete model. Contacts and springs remain owned by the model; the springs are reset to
-/// undeformed. `with_links` false omits the links but not the devices.
+/// Equations of motion of a complete model, which owns the contacts and elements. `with_links` false omits the links
+/// but not the devices.
 System assemble(const Model& model, bool with_links = true);
 
 /// First unknown of each structure in the assembled system.

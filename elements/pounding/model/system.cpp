@@ -13,9 +13,15 @@ bool System::has_modal_matrix(const Group& group) const {
   return false;
 }
 
+int System::spring_count() const {
+  int count = 0;
+  for (const Element* element : elements) count += element->deformations();
+  return count;
+}
+
 void System::check() const {
   const Eigen::Index ground_count = static_cast<Eigen::Index>(grounds.size());
-  const int frictions_from = contact_count() + static_cast<int>(springs.size());
+  const int frictions_from = contact_count() + spring_count();
   if (load.cols() != ground_count) throw std::invalid_argument("System::load needs one column per ground motion");
   if (gap_by_ground.size() > 0 && (gap_by_ground.rows() != links() || gap_by_ground.cols() != ground_count))
     throw std::invalid_argument("System::gap_by_ground needs one row per link and one column per ground motion");

@@ -42,8 +42,8 @@ struct Group {
 /// Link i closes by column i of B times u: +1 at the left body, -1 at the right one. A positive link force pushes the
 /// bodies apart. The columns of the springs follow those of the contacts, -1 at the left end and +1 at the right one,
 /// so that B^T u is their elongation and a positive force is tension: first yielding parts of structures, then devices.
-/// Their deformation is B^T u - R F + c, with the spring forces F. The columns of friction come last. Contacts, springs
-/// and elastic forces are owned by the model and outlive the system.
+/// Their deformation is B^T u - R F + c, with the spring forces F. The columns of friction come last. Contacts,
+/// elements and elastic forces are owned by the model and outlive the system; no run changes them.
 struct System {
   SparseMatrix mass;           ///< M, symmetric [kg]
   SparseMatrix damping;        ///< C without Rayleigh and modal damping of the groups [N s/m]
@@ -52,9 +52,12 @@ struct System {
   Eigen::MatrixXd
       load;  ///< P, one column per ground motion [kg], then one per force: minus its conjugate displacement [-]
   SparseMatrix gap_jacobian;  ///< B, one column per contact, then one per spring, then one or two per friction
-  std::vector<Contact*> contacts;
+  std::vector<const Contact*> contacts;
+  /// Memory of each contact before the first step; may be empty if all are as in Contact::initial().
+  std::vector<ContactMemory> initial_contacts;
   std::vector<std::string> names;  ///< of the contacts, then of the springs, for messages; may be empty
-  std::vector<Spring*> springs;
+  /// Elements in the order of their columns, one column per deformation; called springs where they have one.
+  std::vector<const Element*> elements;
   std::vector<bool> is_part;  ///< per spring: true if K contains its stiffness (storey, hinge, isolator), false for a
                               ///< device; empty for none
   /// Deformations of the springs at rest under gravity, from which an initial displacement of a structure loads them
@@ -71,6 +74,8 @@ struct System {
   /// Number of unknowns, of contacts, and of links, i.e. columns of B.
   int size() const { return static_cast<int>(mass.rows()); }
   int contact_count() const { return static_cast<int>(contacts.size()); }
+  /// Number of deformations of all elements.
+  int spring_count() const;
   int links() const { return static_cast<int>(gap_jacobian.cols()); }
 
   /// True if the modal damping of this group has a matrix.

@@ -44,7 +44,7 @@ class Pusher {
         slopes_(VectorXd::Zero(statics_.parts())),
         scales_(statics_.parts()) {
     for (Eigen::Index j = 0; j < scales_.size(); ++j)
-      scales_[j] = deformation_scale(springs_[j], statics_.at_rest()[j]);
+      scales_[j] = deformation_scale(springs_[j].spring(), statics_.at_rest()[j]);
     for (const double target : options.targets) range_ = std::max(range_, std::abs(target));
     smooth_step_ = range_ / options.smooth_steps;
     elastic_rate_ = statics_.factor(1, VectorXd::Zero(statics_.parts()));
@@ -123,7 +123,7 @@ class Pusher {
   // True for a smooth law that has not reached its yield deformation.
   bool waits_for_yield(Eigen::Index j) const {
     return !has_yielded_[static_cast<std::size_t>(j)] && !springs_.has_corner(j) &&
-           std::isfinite(springs_[j].yield_deformation());
+           std::isfinite(springs_[j]->yield_deformation());
   }
 
   // Step to the next corner of a part, or to its first yield; at least the whole step if there is none.
@@ -134,7 +134,7 @@ class Pusher {
     if (const std::optional<double> corner = springs_[j].corner(d + step * rate * (1 + reached));
         corner && std::abs(*corner - d) > near)
       found = (*corner - d) / rate;
-    const double yields_at = sign(rate) * springs_[j].yield_deformation();
+    const double yields_at = sign(rate) * springs_[j]->yield_deformation();
     if (waits_for_yield(j) && (yields_at - d) * sign(rate) > near) found = std::min(found, (yields_at - d) / rate);
     return found;
   }
@@ -213,7 +213,7 @@ class Pusher {
     const int point = static_cast<int>(path_.points.size()) - 1;
     for (std::size_t i = 0; i < hit_.size(); ++i) {
       const auto j = static_cast<Eigen::Index>(i);
-      const double d = now_.deformations[j], k = springs_[j].stiffness(), whole = springs_.stiffness(j),
+      const double d = now_.deformations[j], k = springs_[j]->stiffness(), whole = springs_.stiffness(j),
                    side = sign(tangent.rates[j]);
       if (std::abs(tangent.rates[j]) <= 1e-10 * largest * scales_[j]) continue;
       const auto tell = [&](PushEvent::Kind kind, bool is_first = false) {
@@ -226,7 +226,7 @@ class Pusher {
       if (yielding_[i] == -static_cast<int>(side)) {
         tell(PushEvent::Kind::unloads);
       } else if (!has_yielded_[i] && (falls || waits_for_yield(j)) &&
-                 side * d >= springs_[j].yield_deformation() * (1 - 10 * reached)) {
+                 side * d >= springs_[j]->yield_deformation() * (1 - 10 * reached)) {
         has_yielded_[i] = true;
         tell(PushEvent::Kind::yields, true);
       } else if (falls && yielding_[i] == 0) {
@@ -246,8 +246,8 @@ class Pusher {
   // Tests whether the load would rise if the yielding parts had no hardening.
   void look_for_mechanism(double way) {
     VectorXd plastic(scales_.size());
-    for (Eigen::Index j = 0; j < plastic.size(); ++j) plastic[j] = springs_[j].first_slope();
-    for (const int part : yielding_parts()) plastic[part] = -springs_[part].stiffness();
+    for (Eigen::Index j = 0; j < plastic.size(); ++j) plastic[j] = springs_[j]->first_slope();
+    for (const int part : yielding_parts()) plastic[part] = -springs_[part]->stiffness();
     const PushTangent tangent = rates_of(statics_, scales_, plastic, way);
     if (tangent.exists && way * tangent.load_rate > flat * elastic_rate_) return;
     path_.mechanism = static_cast<int>(path_.points.size()) - 1;

@@ -22,12 +22,12 @@ struct Sides {
   Eigen::VectorXd slopes(const Eigen::VectorXd& sides) const { return (sides.array() > 0).select(up, down); }
 };
 
-Sides sides_at(const std::vector<Spring*>& springs, const Eigen::VectorXd& deformations,
+Sides sides_at(const std::vector<LoadedSpring>& springs, const Eigen::VectorXd& deformations,
                const Eigen::VectorXd& scales) {
   const auto count = deformations.size();
   Sides sides{Eigen::VectorXd(count), Eigen::VectorXd(count)};
   for (Eigen::Index j = 0; j < count; ++j) {
-    const Spring& spring = *springs[static_cast<std::size_t>(j)];
+    const LoadedSpring& spring = springs[static_cast<std::size_t>(j)];
     sides.up[j] = spring.evaluate_slowly(deformations[j] + beside * scales[j]).by_penetration;
     sides.down[j] = spring.evaluate_slowly(deformations[j] - beside * scales[j]).by_penetration;
   }
@@ -82,12 +82,12 @@ PushTangent rates_of(const StaticYielding& statics, const Eigen::VectorXd& scale
   return tangent;
 }
 
-PushTangent tangent_at(const StaticYielding& statics, const std::vector<Spring*>& springs,
+PushTangent tangent_at(const StaticYielding& statics, const std::vector<LoadedSpring>& springs,
                        const Eigen::VectorXd& deformations, double way) {
   const auto count = deformations.size();
   Eigen::VectorXd scales(count);
   for (Eigen::Index j = 0; j < count; ++j)
-    scales[j] = deformation_scale(*springs[static_cast<std::size_t>(j)], deformations[j]);
+    scales[j] = deformation_scale(springs[static_cast<std::size_t>(j)].spring(), deformations[j]);
   const Sides sides = sides_at(springs, deformations, scales);
   const std::vector<bool> none(static_cast<std::size_t>(count), false);
 

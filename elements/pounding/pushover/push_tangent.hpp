@@ -26,7 +26,7 @@ PushTangent rates_of(const StaticYielding& statics, const Eigen::VectorXd& scale
 /// Tangent at accepted deformations, for an increasing (way 1) or decreasing (-1) displacement. A slope depends on the
 /// direction of its part, which depends on all slopes. The directions are found by trial: first all wrong ones are
 /// changed together, then one at a time.
-PushTangent tangent_at(const StaticYielding& statics, const std::vector<Spring*>& springs,
+PushTangent tangent_at(const StaticYielding& statics, const std::vector<LoadedSpring>& springs,
                        const Eigen::VectorXd& deformations, double way);
 
 }  // namespace pounding

@@ -15,18 +15,10 @@ constexpr double far = 1e3;
 }  // namespace
 
 PushedSprings::PushedSprings(const Structure& s) : structure_(s) {
-  refresh();
   for (const YieldingPart& part : s.yielding) {
-    const double way = far * part.spring->yield_deformation();
-    springs_.push_back(part.spring.get());
-    has_corner_.push_back(std::isfinite(way) && (part.spring->corner(way) || part.spring->corner(-way)));
-  }
-}
-
-void PushedSprings::refresh() {
-  for (const YieldingPart& part : structure_.yielding) {
-    Archive fresh(part.fresh);
-    part.spring->archive(fresh);
+    const double way = far * part.yield_deformation();
+    const LoadedSpring& spring = springs_.emplace_back(part.spring());
+    has_corner_.push_back(std::isfinite(way) && (spring.corner(way) || spring.corner(-way)));
   }
 }
 
@@ -53,7 +45,7 @@ void PushedSprings::follow(const Eigen::VectorXd& from, const Eigen::VectorXd& t
 
 void PushedSprings::require_unyielded(const Eigen::VectorXd& deformations) const {
   for (Eigen::Index j = 0; j < deformations.size(); ++j) {
-    const double at = deformations[j], yield = (*this)[j].yield_deformation();
+    const double at = deformations[j], yield = (*this)[j]->yield_deformation();
     const std::optional<double> corner = (*this)[j].corner(at);
     if (std::abs(at) >= yield && (!has_corner(j) || corner))
       throw std::invalid_argument(fmt::format(

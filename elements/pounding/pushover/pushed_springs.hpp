@@ -9,18 +9,16 @@
 
 namespace pounding {
 
-/// Springs of the yielding parts of a structure; restored on destruction.
+/// Springs of the yielding parts of a structure, with their memories.
 class PushedSprings {
  public:
   explicit PushedSprings(const Structure& structure);
-  ~PushedSprings() { refresh(); }
-  PushedSprings(const PushedSprings&) = delete;
-  PushedSprings& operator=(const PushedSprings&) = delete;
 
-  const std::vector<Spring*>& all() const noexcept { return springs_; }
-  Spring& operator[](Eigen::Index j) const { return *springs_[static_cast<std::size_t>(j)]; }
+  const std::vector<LoadedSpring>& all() const noexcept { return springs_; }
+  LoadedSpring& operator[](Eigen::Index j) { return springs_[static_cast<std::size_t>(j)]; }
+  const LoadedSpring& operator[](Eigen::Index j) const { return springs_[static_cast<std::size_t>(j)]; }
   /// Stiffness of a part before yield, of its total force [N/m].
-  double stiffness(Eigen::Index j) const { return (*this)[j].stiffness() + (*this)[j].first_slope(); }
+  double stiffness(Eigen::Index j) const { return (*this)[j]->stiffness() + (*this)[j]->first_slope(); }
   /// True if the slope of a part jumps at first yield; otherwise yield is defined by its deformation.
   bool has_corner(Eigen::Index j) const { return has_corner_[static_cast<std::size_t>(j)]; }
 
@@ -34,10 +32,8 @@ class PushedSprings {
   void start(const Eigen::VectorXd& deformations);
 
  private:
-  void refresh();
-
   const Structure& structure_;
-  std::vector<Spring*> springs_;
+  std::vector<LoadedSpring> springs_;
   std::vector<bool> has_corner_;
 };
 

@@ -99,7 +99,7 @@ double way_to_yield(const Structure& s, const PushPath& path) {
     const auto i = static_cast<Eigen::Index>(j);
     const double rate =
         (last.deformations[i] - first.deformations[i]) / std::abs(last.displacement - first.displacement);
-    const double left = std::copysign(s.yielding[j].spring->yield_deformation(), rate) - first.deformations[i];
+    const double left = std::copysign(s.yielding[j].yield_deformation(), rate) - first.deformations[i];
     if (rate != 0) way = std::min(way, left / rate);
   }
   return way;
@@ -137,8 +137,8 @@ Pushover pushover(const Structure& s, const PushoverOptions& options, const Mode
   found.loads = loads_of(s, options, modes);
   for (const Floor& floor : s.floors) found.floors.push_back(floor.label);
   for (const YieldingPart& part : s.yielding)
-    found.parts.push_back({part.name, part.law, part.spring->stiffness() + part.spring->first_slope(),
-                           part.spring->yield_deformation(), part.limits});
+    found.parts.push_back(
+        {part.name, part.law, part.stiffness() + part.first_slope(), part.yield_deformation(), part.limits});
 
   PushOptions push_options;
   push_options.load = Eigen::VectorXd::Zero(s.size());
@@ -154,7 +154,7 @@ Pushover pushover(const Structure& s, const PushoverOptions& options, const Mode
   found.path = push(s, push_options);
   // The force of a device has no linear part there; here it is in addition to its stiffness, like that of other parts.
   for (std::size_t j = 0; j < s.yielding.size(); ++j)
-    if (const double stiffness = s.yielding[j].spring->first_slope(); stiffness != 0)
+    if (const double stiffness = s.yielding[j].first_slope(); stiffness != 0)
       for (PushPoint& point : found.path.points)
         point.forces[static_cast<Eigen::Index>(j)] -= stiffness * point.deformations[static_cast<Eigen::Index>(j)];
   require_yield(s, found);

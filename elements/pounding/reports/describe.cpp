@@ -46,7 +46,7 @@ std::string describe_isolators(const Structure& s) {
   for (const YieldingPart& part : s.yielding) {
     if (!isolates(part)) continue;
     ++count;
-    const double k = part.spring->stiffness(), d = part.spring->yield_deformation();
+    const double k = part.stiffness(), d = part.yield_deformation();
     stiffness.take(k), yield.take(d), force.take(k * d);
     if (const double limit = part.parameter("capacity"); std::isfinite(limit)) capacity.take(limit);
     if (laws.find(part.law) == std::string::npos) laws += (laws.empty() ? "" : ", ") + part.law;
@@ -70,7 +70,7 @@ std::string describe_hinges(const Structure& s) {
     if (part.kind != YieldingPart::Kind::hinge) continue;
     ++count;
     for (const double rotation : {part.limits.positive, part.limits.negative}) {
-      const double moment = rotation * part.spring->stiffness();
+      const double moment = rotation * part.stiffness();
       weakest = std::min(weakest, moment), strongest = std::max(strongest, moment);
       minimum = std::min(minimum, rotation), largest = std::max(largest, rotation);
     }

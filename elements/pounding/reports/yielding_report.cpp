@@ -167,14 +167,13 @@ std::vector<YieldingFacts> yielding_facts(const Structure& s) {
   for (const Floor& floor : s.floors) carried += floor.mass;
   for (std::size_t i = 0; i < s.yielding.size(); ++i) {
     const YieldingPart& part = s.yielding[i];
-    YieldingFacts facts{
-        .name = part.name, .law = part.law, .stiffness = part.spring->stiffness() + part.spring->first_slope()};
+    YieldingFacts facts{.name = part.name, .law = part.law, .stiffness = part.stiffness() + part.first_slope()};
     if (facts.stiffness == 0) continue;  // a damper
     facts.is_hinge = part.kind == YieldingPart::Kind::hinge;
     if (!std::isnan(part.parameter("member_stiffness"))) facts.law = "rigid-plastic";
-    facts.deformation = part.spring->yield_deformation();
-    facts.force = part.spring->yield_force();
-    facts.hardening = (part.is_device() ? 0 : 1) + slope_far_behind_yield(*part.spring) / facts.stiffness;
+    facts.deformation = part.yield_deformation();
+    facts.force = part.has_spring() ? part.spring().yield_force() : part.stiffness() * part.yield_deformation();
+    facts.hardening = (part.is_device() ? 0 : 1) + slope_far_behind_yield(part.spring()) / facts.stiffness;
     facts.at_rest = std::abs(part.at_rest) / facts.deformation;
     facts.end_stiffness = part.parameter("end_stiffness");
     facts.end_tangent = part.parameter("end_tangent");

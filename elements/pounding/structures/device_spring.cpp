@@ -19,26 +19,31 @@ DeviceSpring::DeviceSpring(const DeviceParts& parts) : bar_(parts.bar), damper_(
   if (parts.law) yielding_ = make_spring(*parts.law);
 }
 
-laws::Response DeviceSpring::evaluate_slowly(double deformation) const noexcept {
-  return without_damper({deformation, 0});
+void DeviceSpring::reset(ElementMemory memory) const noexcept {
+  reset_as<Memory>(memory);
+  if (yielding_) yielding_->reset(of_law(memory));
 }
 
-laws::Response DeviceSpring::without_damper(const LinkMotion& motion) const noexcept {
+laws::Response DeviceSpring::evaluate_slowly(ConstElementMemory memory, double deformation) const noexcept {
+  return without_damper(memory, {deformation, 0});
+}
+
+laws::Response DeviceSpring::without_damper(ConstElementMemory memory, const LinkMotion& motion) const noexcept {
   laws::Response response;
   if (bar_) {
     response.force = bar_->force(motion.penetration);
     response.by_penetration = bar_->stiffness;
   } else if (yielding_) {
     const double k = yielding_->stiffness();
-    response = yielding_->evaluate(motion);
+    response = yielding_->evaluate(of_law(memory), motion);
     response.force += k * motion.penetration;
     response.by_penetration += k;
   }
   return response;
 }
 
-laws::Response DeviceSpring::evaluate(const LinkMotion& motion) const noexcept {
-  laws::Response response = without_damper(motion);
+laws::Response DeviceSpring::evaluate(ConstElementMemory memory, const LinkMotion& motion) const noexcept {
+  laws::Response response = without_damper(memory, motion);
   if (!damper_) return response;
   if (damper_->has_stiffness()) {
     const double stretch = damper_->stretch(motion.penetration - motion.slip, motion.lag);
@@ -59,18 +64,20 @@ double DeviceSpring::slip_rate(const LinkMotion& motion) const noexcept {
   return damper_->slip_rate(damper_->stretch(motion.penetration - motion.slip, motion.lag));
 }
 
-void DeviceSpring::start(const LinkMotion& motion) {
-  elongation_ = motion.penetration;
-  if (slips()) stretch_ = motion.penetration - motion.slip;
-  if (yielding_) yielding_->start(motion);
+void DeviceSpring::start(ElementMemory memory, const LinkMotion& motion) const {
+  Memory& own = of(memory);
+  own.elongation = motion.penetration;
+  if (slips()) own.stretch = motion.penetration - motion.slip;
+  if (yielding_) yielding_->start(of_law(memory), motion);
 }
 
-void DeviceSpring::accept(const LinkStep& step) {
-  elongation_ = step.motion_end.penetration;
-  if (slips()) stretch_ = step.motion_end.penetration - step.motion_end.slip;
-  if (yielding_) yielding_->accept(step);
-  damped_before_ = damped_;
-  damped_ += damper_work(step, 1);
+void DeviceSpring::accept(ElementMemory memory, const LinkStep& step) const {
+  Memory& own = of(memory);
+  own.elongation = step.motion_end.penetration;
+  if (slips()) own.stretch = step.motion_end.penetration - step.motion_end.slip;
+  if (yielding_) yielding_->accept(of_law(memory), step);
+  own.damped_before = own.damped;
+  own.damped += damper_work(step, 1);
 }
 
 // Power dissipated by the damper.
@@ -98,29 +105,27 @@ double DeviceSpring::damper_work(const LinkStep& step, double until) const noexc
          gauss_integral([&](double s) { return damper_power(motion_inside(step, s)); }, 0, until);
 }
 
-Spring::Instant DeviceSpring::inside(const LinkStep& step, double s, double deformation) const noexcept {
+Spring::Instant DeviceSpring::inside(ConstElementMemory memory, const LinkStep& step, double s,
+                                     double deformation) const noexcept {
   LinkMotion motion = motion_inside(step, s);
   motion.penetration = deformation;
-  Spring::Instant answer{evaluate(motion).force, damped_before_ + damper_work(step, s)};
+  Spring::Instant answer{evaluate(memory, motion).force, of(memory).damped_before + damper_work(step, s)};
   if (yielding_) {
     // The law has been updated since: replace its current response by that inside the step.
-    const Spring::Instant yielded = yielding_->inside(step, s, deformation);
-    answer.force += yielded.force - yielding_->evaluate(motion).force;
+    const Spring::Instant yielded = yielding_->inside(of_law(memory), step, s, deformation);
+    answer.force += yielded.force - yielding_->evaluate(of_law(memory), motion).force;
     answer.lost += yielded.lost;
   }
   return answer;
 }
 
-double DeviceSpring::stored_correction() const noexcept {
-  double energy = 0.5 * first_slope() * elongation_ * elongation_;
-  if (yielding_) energy += yielding_->stored_correction();
-  if (slips()) energy += 0.5 * damper_->stiffness * stretch_ * stretch_;
+ElementEnergy DeviceSpring::energy(ConstElementMemory memory) const noexcept {
+  const Memory& own = of(memory);
+  ElementEnergy energy = yielding_ ? yielding_->energy(of_law(memory)) : ElementEnergy{};
+  energy.damped = own.damped;
+  energy.stored_correction += 0.5 * first_slope() * own.elongation * own.elongation;
+  if (slips()) energy.stored_correction += 0.5 * damper_->stiffness * own.stretch * own.stretch;
   return energy;
-}
-
-void DeviceSpring::archive(Archive& archive) {
-  archive(elongation_, stretch_, damped_);
-  if (yielding_) yielding_->archive(archive);
 }
 
 }  // namespace pounding

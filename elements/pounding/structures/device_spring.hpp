@@ -28,11 +28,16 @@ class DeviceSpring final : public Spring {
   /// Undeformed. Throws like DeviceParts::check().
   explicit DeviceSpring(const DeviceParts& parts);
 
-  laws::Response evaluate(const LinkMotion& motion) const noexcept override;
-  laws::Response evaluate_slowly(double deformation) const noexcept override;
+  using Spring::accept, Spring::evaluate, Spring::load, Spring::stiffness, Spring::start, Spring::yield_deformation;
+  std::size_t memory_size() const noexcept override {
+    return sizeof(Memory) + (yielding_ ? yielding_->memory_size() : 0);
+  }
+  void reset(ElementMemory memory) const noexcept override;
+  laws::Response evaluate(ConstElementMemory memory, const LinkMotion& motion) const noexcept override;
+  laws::Response evaluate_slowly(ConstElementMemory memory, double deformation) const noexcept override;
   double first_slope() const noexcept override;
-  double slope_lost(double deformation) const noexcept override {
-    return yielding_ ? yielding_->slope_lost(deformation) : 0;
+  double slope_lost(ConstElementMemory memory, double deformation) const noexcept override {
+    return yielding_ ? yielding_->slope_lost(of_law(memory), deformation) : 0;
   }
   double yield_deformation() const noexcept override {
     return yielding_ ? yielding_->yield_deformation() : Spring::yield_deformation();
@@ -41,41 +46,47 @@ class DeviceSpring final : public Spring {
     return yielding_ ? yielding_->yields_towards(way) : Spring::yield_deformation();
   }
   double yield_force() const noexcept override { return yielding_ ? yielding_->yield_force() : Spring::yield_force(); }
-  std::optional<double> corner(double deformation) const noexcept override {
-    return yielding_ ? yielding_->corner(deformation) : std::nullopt;
+  std::optional<double> corner(ConstElementMemory memory, double deformation) const noexcept override {
+    return yielding_ ? yielding_->corner(of_law(memory), deformation) : std::nullopt;
   }
   bool has_corners() const noexcept override { return yielding_ && yielding_->has_corners(); }
   bool slips() const noexcept override { return damper_ && damper_->has_stiffness(); }
   double slip_rate(const LinkMotion& motion) const noexcept override;
   /// Slip at which a damper in series with a spring is at rest.
   double first_slip(const LinkMotion& motion) const noexcept override { return motion.penetration; }
-  void start(const LinkMotion& motion) override;
-  void load(double deformation) override {
-    if (yielding_) yielding_->load(deformation);
+  void start(ElementMemory memory, const LinkMotion& motion) const override;
+  void load(ElementMemory memory, double deformation) const override {
+    if (yielding_) yielding_->load(of_law(memory), deformation);
   }
-  void accept(const LinkStep& step) override;
+  void accept(ElementMemory memory, const LinkStep& step) const override;
   /// The loss includes that of the damper.
-  Spring::Instant inside(const LinkStep& step, double s, double deformation) const noexcept override;
-  double lost() const noexcept override { return yielding_ ? yielding_->lost() : 0; }
-  double damped() const noexcept override { return damped_; }
-  /// The whole stored energy, because k is zero [J].
-  double stored_correction() const noexcept override;
-  void archive(Archive& archive) override;
+  Spring::Instant inside(ConstElementMemory memory, const LinkStep& step, double s,
+                         double deformation) const noexcept override;
+  /// The whole stored energy, because k is zero.
+  ElementEnergy energy(ConstElementMemory memory) const noexcept override;
 
   /// Elongation at the last accepted state [m].
-  double elongation() const noexcept { return elongation_; }
+  static double elongation(ConstElementMemory memory) noexcept { return of(memory).elongation; }
 
  private:
-  laws::Response without_damper(const LinkMotion& motion) const noexcept;
+  // Followed by the memory of the law.
+  struct Memory {
+    double elongation = 0, stretch = 0, damped = 0;
+    double damped_before = 0;  // at the beginning of the last accepted step, for inside()
+  };
+  static Memory& of(ElementMemory memory) noexcept { return memory_as<Memory>(memory); }
+  static const Memory& of(ConstElementMemory memory) noexcept { return memory_as<Memory>(memory); }
+  static ElementMemory of_law(ElementMemory memory) noexcept { return memory.subspan(sizeof(Memory)); }
+  static ConstElementMemory of_law(ConstElementMemory memory) noexcept { return memory.subspan(sizeof(Memory)); }
+
+  laws::Response without_damper(ConstElementMemory memory, const LinkMotion& motion) const noexcept;
   double damper_power(const LinkMotion& motion) const noexcept;
   LinkMotion motion_inside(const LinkStep& step, double s) const noexcept;
   double damper_work(const LinkStep& step, double until) const noexcept;
 
   std::optional<Bar> bar_;
   std::optional<Damper> damper_;
-  std::unique_ptr<Spring> yielding_;  // its force in addition to k d, with the k of the law
-  double elongation_ = 0, stretch_ = 0, damped_ = 0;
-  double damped_before_ = 0;  // at the beginning of the last accepted step, for inside()
+  std::unique_ptr<const Spring> yielding_;  // its force in addition to k d, with the k of the law
 };
 
 }  // namespace pounding

@@ -19,8 +19,11 @@ class HystereticSpring : public Spring {
   /// Undeformed. Throws std::invalid_argument for a parameter out of range.
   explicit HystereticSpring(const L& law) : law_(law) { law_.check(); }
 
-  laws::Response evaluate(const LinkMotion& motion) const noexcept override {
-    const hysteresis::Answer answer = hysteresis::excess(law_, kept_, motion.penetration);
+  using Spring::accept, Spring::evaluate, Spring::load, Spring::stiffness, Spring::start, Spring::yield_deformation;
+  std::size_t memory_size() const noexcept override { return sizeof(Memory); }
+  void reset(ElementMemory memory) const noexcept override { reset_as<Memory>(memory); }
+  laws::Response evaluate(ConstElementMemory memory, const LinkMotion& motion) const noexcept override {
+    const hysteresis::Answer answer = hysteresis::excess(law_, of(memory).kept, motion.penetration);
     return {answer.force, answer.slope, 0};
   }
   double stiffness() const noexcept override { return law_.stiffness(); }
@@ -37,9 +40,12 @@ class HystereticSpring : public Spring {
     else
       return Spring::yield_force();
   }
-  std::optional<double> corner(double deformation) const noexcept override { return law_.corner(kept_, deformation); }
+  std::optional<double> corner(ConstElementMemory memory, double deformation) const noexcept override {
+    return law_.corner(of(memory).kept, deformation);
+  }
   /// Evaluates the slope after the reversal: it differs from k where an elastically unloaded force reloads on a curve.
-  double slope_lost(double deformation) const noexcept override {
+  double slope_lost(ConstElementMemory memory, double deformation) const noexcept override {
+    const typename L::State& kept_ = of(memory).kept;
     const double yield = law_.yield_deformation();
     // A law without yield has no such scale; the reversal is then relative to the path.
     const double scale = std::isfinite(yield) ? yield : std::abs(kept_.deformation - deformation);
@@ -47,7 +53,8 @@ class HystereticSpring : public Spring {
     return hysteresis::excess(law_, law_.advance(kept_, deformation), back).slope -
            hysteresis::excess(law_, kept_, deformation).slope;
   }
-  std::optional<Spring::Elastic> elastic() const noexcept override {
+  std::optional<Spring::Elastic> elastic(ConstElementMemory memory) const noexcept override {
+    const typename L::State& kept_ = of(memory).kept;
     if constexpr (requires { law_.elastic(kept_); }) {
       const hysteresis::Range range = law_.elastic(kept_);
       return Spring::Elastic{range.low, range.high,
@@ -55,32 +62,36 @@ class HystereticSpring : public Spring {
     }
     return {};
   }
-  void stay(double deformation) override {
-    before_ = kept_;
-    given_before_ = given_;
-    kept_.deformation = deformation;
+  void stay(ElementMemory memory, double deformation) const override {
+    Memory& own = of(memory);
+    own.begin_step();
+    own.kept.deformation = deformation;
   }
   /// Brings an undeformed spring to the initial motion of the run; this counts no loss.
-  void start(const LinkMotion& motion) override {
-    if (kept_.deformation == 0 && motion.penetration != 0) {
-      kept_ = law_.advance(kept_, motion.penetration);
-      if constexpr (!counts_loss) given_ = law_.stored(kept_);
+  void start(ElementMemory memory, const LinkMotion& motion) const override {
+    Memory& own = of(memory);
+    if (own.kept.deformation == 0 && motion.penetration != 0) {
+      own.kept = law_.advance(own.kept, motion.penetration);
+      if constexpr (!counts_loss) own.given = law_.stored(own.kept);
     }
   }
-  void load(double deformation) override { follow(deformation); }
-  void accept(const LinkStep& step) override {
-    before_ = kept_;
-    given_before_ = given_;
+  void load(ElementMemory memory, double deformation) const override {
+    follow(of(memory).kept, of(memory).given, deformation);
+  }
+  void accept(ElementMemory memory, const LinkStep& step) const override {
+    Memory& own = of(memory);
+    own.begin_step();
     if (step.motion_begin.rate * step.motion_end.rate < 0) {
       const CubicPenetration between(step.motion_begin, step.motion_end, step.end - step.begin);
       const double s = between.turn();
-      if (s > 0 && s < 1) follow(between.at(s));
+      if (s > 0 && s < 1) follow(own.kept, own.given, between.at(s));
     }
-    follow(step.motion_end.penetration);
+    follow(own.kept, own.given, step.motion_end.penetration);
   }
-  Spring::Instant inside(const LinkStep& step, double s, double deformation) const noexcept override {
-    typename L::State state = before_;
-    double given = given_before_;
+  Spring::Instant inside(ConstElementMemory memory, const LinkStep& step, double s,
+                         double deformation) const noexcept override {
+    typename L::State state = of(memory).before;
+    double given = of(memory).given_before;
     if (step.motion_begin.rate * step.motion_end.rate < 0) {
       const CubicPenetration between(step.motion_begin, step.motion_end, step.end - step.begin);
       if (const double turn = between.turn(); turn > 0 && turn < s) follow(state, given, between.at(turn));
@@ -89,14 +100,15 @@ class HystereticSpring : public Spring {
     follow(state, given, deformation);
     return {force, lost(state, given)};
   }
-  double lost() const noexcept override { return lost(kept_, given_); }
-  double stored_correction() const noexcept override { return hysteresis::stored_excess(law_, kept_); }
-  void archive(Archive& archive) override { archive(kept_, given_); }
+  ElementEnergy energy(ConstElementMemory memory) const noexcept override {
+    const Memory& own = of(memory);
+    return {.lost = lost(own.kept, own.given), .stored_correction = hysteresis::stored_excess(law_, own.kept)};
+  }
 
   /// The law with its parameters.
   const L& law() const noexcept { return law_; }
   /// State at the last accepted step.
-  const typename L::State& kept() const noexcept { return kept_; }
+  static const typename L::State& kept(ConstElementMemory memory) noexcept { return of(memory).kept; }
 
  private:
   /// Relative size of a reversal that determines the slope behind it, as a fraction of the yield deformation.
@@ -106,7 +118,21 @@ class HystereticSpring : public Spring {
   static constexpr bool counts_loss =
       requires(const L& law, const typename L::State& kept, double d) { law.lost(kept, d); };
 
-  void follow(double deformation) { follow(kept_, given_, deformation); }
+  struct Memory {
+    typename L::State kept{};
+    double given = 0;  // dissipated energy, or all work done on the spring [J]
+    // At the beginning of the last accepted step, for inside().
+    typename L::State before{};
+    double given_before = 0;
+
+    void begin_step() {
+      before = kept;
+      given_before = given;
+    }
+  };
+  static Memory& of(ElementMemory memory) noexcept { return memory_as<Memory>(memory); }
+  static const Memory& of(ConstElementMemory memory) noexcept { return memory_as<Memory>(memory); }
+
   void follow(typename L::State& state, double& given, double deformation) const {
     if constexpr (counts_loss)
       given += law_.lost(state, deformation);
@@ -122,11 +148,6 @@ class HystereticSpring : public Spring {
   }
 
   L law_;
-  typename L::State kept_{};
-  double given_ = 0;  // dissipated energy, or all work done on the spring [J]
-  // State at the beginning of the last accepted step. It must be read after accept() and before the next one.
-  typename L::State before_{};
-  double given_before_ = 0;
 };
 
 }  // namespace pounding

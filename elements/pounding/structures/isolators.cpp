@@ -85,7 +85,7 @@ SparseMatrix stiffness_of_isolators(const Structure& s) {
     for (Row::InnerIterator i(part.deformation); i; ++i)
       for (Row::InnerIterator j(part.deformation); j; ++j)
         entries.emplace_back(static_cast<int>(i.index()), static_cast<int>(j.index()),
-                             part.spring->stiffness() * i.value() * j.value());
+                             part.stiffness() * i.value() * j.value());
   }
   return sparse_matrix(s.size(), s.size(), entries);
 }
@@ -132,8 +132,8 @@ double isolated_period(const Structure& s) {
   for (const YieldingPart& part : s.yielding) {
     if (!isolates(part)) continue;
     const double unit = part.deformation.dot(along);
-    const laws::Response answer = part.spring->evaluate({far * part.spring->yield_deformation(), 0});
-    stiffness += (part.spring->stiffness() + answer.by_penetration) * unit * unit;
+    const laws::Response answer = LoadedSpring(part.spring()).evaluate({far * part.yield_deformation(), 0});
+    stiffness += (part.stiffness() + answer.by_penetration) * unit * unit;
   }
   const double mass = s.total_mass()[0];
   return stiffness > 1e-9 * mass ? 2 * M_PI * std::sqrt(mass / stiffness) : std::numeric_limits<double>::infinity();

@@ -185,7 +185,7 @@ Structure make_shear_building(const ShearBuildingOptions& options) {
         options.stiffness.of_each(above, isolators ? "stiffness of the storeys above the isolators" : "stiffness");
   for (const double stiffness : stiffnesses) require_positive(stiffness, "stiffness");
   require_digits_of_storeys(stiffnesses);
-  if (isolators) stiffnesses.insert(stiffnesses.begin(), isolators->spring->stiffness());
+  if (isolators) stiffnesses.insert(stiffnesses.begin(), isolators->stiffness());
   std::vector<double> heights;
   if (!options.height.empty()) heights = options.height.of_each(options.storeys, "height");
   for (const double height : heights) require_positive(height, "height");

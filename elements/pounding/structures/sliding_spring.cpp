@@ -41,20 +41,23 @@ double SlidingSpring::friction(const State& state, const LinkMotion& motion) con
   return std::clamp(law_.stick() * (motion.penetration - state.slip), -maximum, maximum);
 }
 
-void SlidingSpring::start(const LinkMotion& motion) {
-  if (kept_.deformation == 0 && motion.penetration != 0) kept_ = slid(kept_, motion);
+void SlidingSpring::start(ElementMemory memory, const LinkMotion& motion) const {
+  State& kept = of(memory).kept;
+  if (kept.deformation == 0 && motion.penetration != 0) kept = slid(kept, motion);
 }
 
-void SlidingSpring::load(double deformation) {
-  const State before = kept_;
-  kept_ = slid(kept_, {deformation, 0});
-  kept_.lost += law_.coefficient(0) * law_.weight * std::abs(kept_.slip - before.slip);
+void SlidingSpring::load(ElementMemory memory, double deformation) const {
+  State& kept = of(memory).kept;
+  const State before = kept;
+  kept = slid(kept, {deformation, 0});
+  kept.lost += law_.coefficient(0) * law_.weight * std::abs(kept.slip - before.slip);
 }
 
-laws::Response SlidingSpring::evaluate(const LinkMotion& motion) const noexcept {
-  const double k0 = law_.stick(), elastic = k0 * (motion.penetration - kept_.slip);
+laws::Response SlidingSpring::evaluate(ConstElementMemory memory, const LinkMotion& motion) const noexcept {
+  const State& kept = of(memory).kept;
+  const double k0 = law_.stick(), elastic = k0 * (motion.penetration - kept.slip);
   const double maximum = law_.coefficient(motion.rate) * law_.weight;
-  if (std::abs(elastic) <= maximum) return {-k0 * kept_.slip, 0, 0};
+  if (std::abs(elastic) <= maximum) return {-k0 * kept.slip, 0, 0};
   const double q = std::copysign(maximum, elastic);
   return {q - k0 * motion.penetration, -k0,
           std::copysign(law_.weight, elastic) * law_.slope_of_coefficient(motion.rate)};
@@ -105,9 +108,9 @@ SlidingSpring::Phase SlidingSpring::phase(State state, const Quintic& path, doub
 
 // Each stage detects sliding independently. It does not detect sticking: the earlier slip in the same step is missing
 // in all stages.
-std::optional<double> SlidingSpring::bend(const Quintic& path, double near) const noexcept {
+std::optional<double> SlidingSpring::bend(ConstElementMemory memory, const Quintic& path, double near) const noexcept {
   constexpr double near_onset = 1e-3;
-  const Phase now = phase(kept_, path, 0, 1);
+  const Phase now = phase(of(memory).kept, path, 0, 1);
   const double minimum = now.slides ? near : std::max(near, near_onset);
   return now.end > minimum && now.end < 1 - minimum ? std::optional(now.end) : std::nullopt;
 }
@@ -140,9 +143,10 @@ SlidingSpring::State SlidingSpring::follow(State state, const LinkStep& step, do
   return slid(state, motion(to));
 }
 
-void SlidingSpring::accept(const LinkStep& step) {
-  before_ = kept_;
-  kept_ = follow(kept_, step, 1);
+void SlidingSpring::accept(ElementMemory memory, const LinkStep& step) const {
+  Memory& own = of(memory);
+  own.before = own.kept;
+  own.kept = follow(own.kept, step, 1);
 }
 
 // The friction depends on the velocity up to a value of r |v|.
@@ -151,14 +155,16 @@ bool SlidingSpring::bends_sharply(const LinkStep& step) const noexcept {
   return law_.rate * std::min(std::abs(step.motion_begin.rate), std::abs(step.motion_end.rate)) < saturated;
 }
 
-Spring::Instant SlidingSpring::inside(const LinkStep& step, double s, double deformation) const noexcept {
-  const State state = follow(before_, step, s);
+Spring::Instant SlidingSpring::inside(ConstElementMemory memory, const LinkStep& step, double s,
+                                      double deformation) const noexcept {
+  const State state = follow(of(memory).before, step, s);
   return {friction(state, {deformation, interpolate(step, s).rate}) - law_.stick() * deformation, state.lost};
 }
 
-double SlidingSpring::stored_correction() const noexcept {
-  const double k0 = law_.stick(), elastic = kept_.deformation - kept_.slip;
-  return 0.5 * k0 * (elastic * elastic - kept_.deformation * kept_.deformation);
+ElementEnergy SlidingSpring::energy(ConstElementMemory memory) const noexcept {
+  const State& kept = of(memory).kept;
+  const double k0 = law_.stick(), elastic = kept.deformation - kept.slip;
+  return {.lost = kept.lost, .stored_correction = 0.5 * k0 * (elastic * elastic - kept.deformation * kept.deformation)};
 }
 
 }  // namespace pounding

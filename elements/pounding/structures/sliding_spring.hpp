@@ -34,27 +34,34 @@ class SlidingSpring final : public Spring {
   /// Undeformed. Throws std::invalid_argument like check().
   explicit SlidingSpring(const SlidingFriction& friction) : law_(friction) { law_.check(); }
 
-  laws::Response evaluate(const LinkMotion& motion) const noexcept override;
+  using Spring::accept, Spring::evaluate, Spring::load, Spring::stiffness, Spring::start, Spring::yield_deformation;
+  std::size_t memory_size() const noexcept override { return sizeof(Memory); }
+  void reset(ElementMemory memory) const noexcept override { reset_as<Memory>(memory); }
+  laws::Response evaluate(ConstElementMemory memory, const LinkMotion& motion) const noexcept override;
   double stiffness() const noexcept override { return law_.dish() + law_.stick(); }
   double yield_deformation() const noexcept override { return law_.sliding_deformation; }
   bool bends_with_rate() const noexcept override { return true; }
-  std::optional<double> bend(const Quintic& path, double near) const noexcept override;
-  void start(const LinkMotion& motion) override;
+  std::optional<double> bend(ConstElementMemory memory, const Quintic& path, double near) const noexcept override;
+  void start(ElementMemory memory, const LinkMotion& motion) const override;
   /// Slides at the friction of a vanishing velocity.
-  void load(double deformation) override;
-  void accept(const LinkStep& step) override;
-  Spring::Instant inside(const LinkStep& step, double s, double deformation) const noexcept override;
+  void load(ElementMemory memory, double deformation) const override;
+  void accept(ElementMemory memory, const LinkStep& step) const override;
+  Spring::Instant inside(ConstElementMemory memory, const LinkStep& step, double s,
+                         double deformation) const noexcept override;
   /// True if it comes to rest.
   bool bends_sharply(const LinkStep& step) const noexcept override;
-  double lost() const noexcept override { return kept_.lost; }
-  double stored_correction() const noexcept override;
-  void archive(Archive& archive) override { archive(kept_); }
+  ElementEnergy energy(ConstElementMemory memory) const noexcept override;
 
  private:
   // Last accepted state; by default undeformed.
   struct State {
     double deformation = 0, rate = 0, slip = 0, lost = 0;  // [m], [m/s], [m], [J]
   };
+  struct Memory {
+    State kept{}, before{};  // last accepted state, and the one at the beginning of that step
+  };
+  static Memory& of(ElementMemory memory) noexcept { return memory_as<Memory>(memory); }
+  static const Memory& of(ConstElementMemory memory) noexcept { return memory_as<Memory>(memory); }
 
   // Sticks or slides up to this fraction of a step.
   struct Phase {
@@ -73,7 +80,6 @@ class SlidingSpring final : public Spring {
   State follow(State state, const LinkStep& step, double to) const noexcept;
 
   SlidingFriction law_;
-  State kept_{}, before_{};  // last accepted state, and the one at the beginning of that step
 };
 
 }  // namespace pounding

@@ -10,16 +10,17 @@
 namespace pounding {
 
 YieldingPart::YieldingPart(std::string part, Row factors, std::string law_name, std::vector<Parameter> numbers,
-                           std::unique_ptr<Spring> undeformed)
+                           std::shared_ptr<const Element> by_element, int of_direction)
     : name(std::move(part)),
       deformation(std::move(factors)),
       law(std::move(law_name)),
       parameters(std::move(numbers)),
-      spring(std::move(undeformed)),
-      limits(*spring) {
-  Archive archive;
-  spring->archive(archive);
-  fresh = archive.bytes();
+      element(std::move(by_element)),
+      direction(of_direction) {
+  if (has_spring())
+    limits = YieldLimits(spring());
+  else
+    limits.positive = limits.negative = yield_deformation();
 }
 
 Eigen::Vector3d outward(Side side) {

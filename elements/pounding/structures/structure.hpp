@@ -12,7 +12,6 @@
 #include <string_view>
 #include <vector>
 
-#include <pounding/core/archive.hpp>
 #include <pounding/ground/components.hpp>
 #include <pounding/structures/elastic_forces.hpp>
 #include <pounding/structures/massless.hpp>
@@ -41,9 +40,9 @@ struct YieldingPart {
   double at_rest = 0;  ///< deformation under gravity, to be added
   std::string law;     ///< the input keyword: "bilinear"
   std::vector<Parameter> parameters;
-  std::unique_ptr<Spring> spring;
-  YieldLimits limits;            ///< deformations at first yield
-  std::vector<std::byte> fresh;  ///< archive of the undeformed spring
+  std::shared_ptr<const Element> element;  ///< shared by successive parts, one per deformation
+  int direction = 0;                       ///< index of the deformation of the element
+  YieldLimits limits;                      ///< deformations at first yield
   Kind kind = Kind::storey;
   std::string device{};  ///< of a device: its components and ends, for reports
 
@@ -51,9 +50,17 @@ struct YieldingPart {
   /// Value of a parameter; NaN if there is none of this name.
   double parameter(std::string_view parameter_name) const;
 
-  /// The spring must be undeformed.
+  /// True for an element with a single deformation; and that element.
+  bool has_spring() const noexcept { return element->deformations() == 1; }
+  const Spring& spring() const noexcept { return static_cast<const Spring&>(*element); }
+  /// Stiffness in K and deformation at first yield, see Element.
+  double stiffness() const noexcept { return element->stiffness(direction); }
+  double yield_deformation() const noexcept { return element->yield_deformation(direction); }
+  /// Initial slope that K does not contain [N/m].
+  double first_slope() const noexcept { return has_spring() ? spring().first_slope() : 0; }
+
   YieldingPart(std::string part, Row factors, std::string law_name, std::vector<Parameter> numbers,
-               std::unique_ptr<Spring> undeformed);
+               std::shared_ptr<const Element> by_element, int of_direction = 0);
 };
 
 /// A time-dependent force on a structure.

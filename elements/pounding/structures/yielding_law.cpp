@@ -38,7 +38,7 @@ std::vector<YieldingPart::Parameter> parameters_of(const hysteresis::Settings& s
 double slope_far_behind_yield(const Spring& spring) {
   LinkMotion far{1000 * spring.yield_deformation(), 0};
   far.lag = std::numeric_limits<double>::infinity();
-  return spring.evaluate(far).by_penetration;
+  return LoadedSpring(spring).evaluate(far).by_penetration;
 }
 
 }  // namespace pounding

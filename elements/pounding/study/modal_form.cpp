@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <variant>
 
-#include <pounding/links/gap_link.hpp>
+#include <pounding/links/gap_contact.hpp>
 #include <pounding/model/ground_plan.hpp>
 #include <pounding/structures/structure_damping.hpp>
 
@@ -24,7 +24,7 @@ std::optional<laws::AnyLaw> law_of(const Contact& contact) {
   } else {
     using Law = std::variant_alternative_t<I, laws::AnyLaw>;
     if constexpr (!laws::instantaneous<Law>)
-      if (const auto* link = dynamic_cast<const GapLink<Law>*>(&contact)) return link->law();
+      if (const auto* link = dynamic_cast<const GapContact<Law>*>(&contact)) return link->law();
     return law_of<I + 1>(contact);
   }
 }

@@ -36,7 +36,7 @@ std::vector<int> springs_without_mass(const SparseMatrix& columns, const std::ve
 }  // namespace
 
 SpringRelief::SpringRelief(const System& system) {
-  const int count = static_cast<int>(system.springs.size());
+  const int count = system.spring_count();
   if (count == 0 || system.links() < system.contact_count() + count) return;
   const SparseMatrix columns = system.gap_jacobian.middleCols(system.contact_count(), count);
   Triplets way;

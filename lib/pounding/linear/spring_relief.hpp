@@ -9,7 +9,7 @@ namespace pounding {
 
 /// True if a link of the system is a spring.
 inline bool is_spring(const System& system, int link) {
-  return link >= system.contact_count() && link < system.contact_count() + static_cast<int>(system.springs.size());
+  return link >= system.contact_count() && link < system.contact_count() + system.spring_count();
 }
 
 /// Massless degrees of freedom (s) are in static equilibrium with the others (m) and with the springs of their

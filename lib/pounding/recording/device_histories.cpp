@@ -4,16 +4,15 @@
 
 namespace pounding {
 DeviceHistories::DeviceHistories(const Model& model, const Stepper& stepper, std::vector<DeviceHistory>& histories)
-    : model_(model),
-      stepper_(stepper),
+    : stepper_(stepper),
       histories_(histories),
-      first_(stepper.system().contact_count() + stepper.system().springs.size() - model.devices.size()) {
+      first_(stepper.system().contact_count() + stepper.system().spring_count() - model.devices.size()) {
   for (const Device& device : model.devices) histories_.push_back(heading(device, model));
 }
 
 void DeviceHistories::begin() {
   for (std::size_t i = 0; i < histories_.size(); ++i) {
-    histories_[i].extremes.update(0, stepper_.time(), model_.devices[i].member->elongation());
+    histories_[i].extremes.update(0, stepper_.time(), stepper_.link_motion(static_cast<int>(first_ + i)).penetration);
     histories_[i].extremes.update(1, stepper_.time(), force_now(i));
   }
 }
@@ -32,13 +31,13 @@ void DeviceHistories::step() {
 
 void DeviceHistories::sample(double time, bool inside) {
   for (std::size_t i = 0; i < histories_.size(); ++i) {
-    const DeviceSpring& member = *model_.devices[i].member;
-    double elongation = member.elongation(), force = force_now(i);
+    const int link = static_cast<int>(first_ + i);
+    double elongation = stepper_.link_motion(link).penetration, force = force_now(i);
     if (inside) {
       const LinkStep& step = step_of(i);
       const double s = (time - step.begin) / (step.end - step.begin);
       elongation = interpolate(step, s).penetration;
-      force = member.inside(step, s, elongation).force;
+      force = stepper_.links().inside(link, step, s, elongation).force;
     }
     histories_[i].elongation.push_back(elongation);
     histories_[i].force.push_back(force);
@@ -47,9 +46,10 @@ void DeviceHistories::sample(double time, bool inside) {
 
 std::vector<DeviceSummary> DeviceHistories::summary() const {
   std::vector<DeviceSummary> all;
-  for (std::size_t i = 0; i < histories_.size(); ++i)
-    all.push_back({histories_[i].name, histories_[i].extremes,
-                   model_.devices[i].member->damped() + model_.devices[i].member->lost()});
+  for (std::size_t i = 0; i < histories_.size(); ++i) {
+    const ElementEnergy energy = stepper_.links().energy(static_cast<int>(first_ + i));
+    all.push_back({histories_[i].name, histories_[i].extremes, energy.damped + energy.lost});
+  }
   return all;
 }
 

@@ -33,7 +33,6 @@ class DeviceHistories {
   const LinkStep& step_of(std::size_t device) const { return stepper_.link_step(static_cast<int>(first_ + device)); }
   double force_now(std::size_t device) const { return stepper_.link_forces()[static_cast<int>(first_ + device)]; }
 
-  const Model& model_;
   const Stepper& stepper_;
   std::vector<DeviceHistory>& histories_;
   std::size_t first_;  // link of the first device

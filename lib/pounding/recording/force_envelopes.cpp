@@ -105,7 +105,7 @@ void ForceEnvelopes::add_fixed_end_forces(const Block& block, Eigen::VectorXd& v
 // Spring forces at one end of the last accepted step, and their one-sided rates.
 void ForceEnvelopes::take_springs(double time, double other_end) {
   if (!yields_) return;
-  spring_rates_.setZero(static_cast<Eigen::Index>(stepper_.system().springs.size()));
+  spring_rates_.setZero(stepper_.system().spring_count());
   if (!acts_) {
     springs_ = spring_rates_;
     return;

@@ -44,7 +44,7 @@ SpringHistory spring_heading(const Structure& s) {
     history.ultimate.push_back(part.parameter("ultimate_rotation"));
     history.names.push_back(part.name);
     history.laws.push_back(part.law);
-    history.stiffness.push_back(part.spring->stiffness() + part.spring->first_slope());
+    history.stiffness.push_back(part.stiffness() + part.first_slope());
     history.limits.push_back(part.limits);
   }
   const std::size_t parts = s.yielding.size();

@@ -9,7 +9,7 @@
 #include <pounding/core/archive.hpp>
 #include <pounding/results/results.hpp>
 #include <pounding/stepping/dense_output.hpp>
-#include <pounding/structures/spring.hpp>
+#include <pounding/stepping/links/link_set.hpp>
 
 namespace pounding {
 
@@ -20,8 +20,8 @@ inline double force_inside(const LinkStep& step, double s) {
 }
 
 /// Force of a yielding part inside its last accepted step, at a deformation [m], as by Spring::evaluate() [N].
-inline double spring_force(const Spring& spring, const LinkStep& step, double time, double deformation) {
-  return spring.inside(step, (time - step.begin) / (step.end - step.begin), deformation).force;
+inline double spring_force(const LinkSet& links, int link, const LinkStep& step, double time, double deformation) {
+  return links.inside(link, step, (time - step.begin) / (step.end - step.begin), deformation).force;
 }
 
 /// Contribution of yielding parts and devices to the shear of a storey that is a spring [N]; `force(part)` is the force

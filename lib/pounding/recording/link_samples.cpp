@@ -74,11 +74,17 @@ void cut(LinkHistory& history, std::size_t length) {
 struct LinkSamples::Inside {
   std::size_t link;
   const LinkStep& step;
-  const Contact& contact;
+  const LinkSet& links;
   double allowed;  // allowed error of linear interpolation [N]
   Quintic path = pounding::path(step);
   LinkPower power{step};
-  double work_at_end = contact.work();
+  double work_at_end = links.of_contact(static_cast<int>(link)).log.work();
+
+  // The force of the law, without tension unless it may pull [N].
+  double force(const LinkMotion& motion) const {
+    const int number = static_cast<int>(link);
+    return links.contact(number).acting_force(links.law(number, motion).force);
+  }
 
   double work(double s) const { return work_at_end - power.work_after(s); }
 };
@@ -149,7 +155,7 @@ void LinkSamples::add_between(const Inside& in, double s, double force_s, double
   const Jet at = in.path.at(mid);
   // The path deviates from the motion by the error tolerance of the step; where the force is almost zero, the formula
   // of the law could become tensile.
-  const double force = in.contact.acting_force(in.contact.evaluate({at.x, at.v}).force);
+  const double force = in.force({at.x, at.v});
   const double missed = std::abs(force - 0.5 * (force_s + force_e));
   if (missed <= in.allowed) return;
   // The error of both halves is a quarter of this, or 0.35 of it if the force starts like penetration^1.5.
@@ -160,20 +166,19 @@ void LinkSamples::add_between(const Inside& in, double s, double force_s, double
 }
 
 // Samples of a step in contact, excluding its ends.
-void LinkSamples::add_inside(std::size_t link, const LinkStep& step, const Contact& contact, const ImpactRow& row) {
+void LinkSamples::add_inside(std::size_t link, const LinkStep& step, const ImpactRow& row) {
+  const Inside inside{link, step, stepper_.links(), max_chord_error * row.peak_force};
   const LinkMotion& middle = step.motion_middle;
   // The law can be evaluated again unless its memory changed in this step.
-  const bool looks =
-      bends(step, row.peak_force) && contact.acting_force(contact.evaluate(middle).force) == step.force_middle;
+  const bool looks = bends(step, row.peak_force) && inside.force(middle) == step.force_middle;
   const bool peaks = row.t_peak > step.begin && row.t_peak < step.end;
   const LinkSample at_middle{0.5 * (step.begin + step.end),
                              middle.penetration,
                              middle.rate,
                              step.force_middle,
-                             contact.work() - LinkPower(step).work_of_second_half(),
+                             inside.work_at_end - inside.power.work_of_second_half(),
                              friction(link, &LinkStep::force_middle)};
   if (!looks && !peaks) return impacts_[link].add(at_middle);
-  const Inside inside{link, step, contact, max_chord_error * row.peak_force};
   const double at_peak = (row.t_peak - step.begin) / (step.end - step.begin);
   const auto add_half = [&](double s, double force_s, double e, double force_e) {
     if (peaks && at_peak > s && at_peak < e) {
@@ -190,7 +195,7 @@ void LinkSamples::add_inside(std::size_t link, const LinkStep& step, const Conta
 }
 
 void LinkSamples::begin() {
-  for (std::size_t i = 0; i < gaps_.size(); ++i) gaps_[i] = -model_.links[i].contact->penetration(0);
+  for (std::size_t i = 0; i < gaps_.size(); ++i) gaps_[i] = stepper_.memory().contacts[i].state.gap;
 }
 
 // The opening is the negative approach of the two ends: approach = penetration + gap.
@@ -198,15 +203,17 @@ void LinkSamples::record_opening(std::size_t link, const LinkStep& step) {
   const LinkMotion &begin = step.motion_begin, &end = step.motion_end;
   openings_.update(link, step.begin, step.end - step.begin, -begin.penetration - gaps_[link], -begin.rate,
                    -end.penetration - gaps_[link], -end.rate);
-  gaps_[link] = -model_.links[link].contact->penetration(0);
+  gaps_[link] = stepper_.memory().contacts[link].state.gap;
 }
 
 void LinkSamples::step(bool output_due) {
   for (std::size_t i = 0; i < impacts_.size(); ++i) {
     const Contact& contact = *model_.links[i].contact;
+    const ContactMemory& memory = stepper_.memory().contacts[i];
+    const double work = memory.log.work();
     const LinkStep& step = stepper_.link_step(static_cast<int>(i));
     record_opening(i, step);
-    const std::span<const ImpactRow> rows = contact.impacts();
+    const std::span<const ImpactRow> rows = memory.impacts();
     const bool begun = !rows.empty();
     const bool presses = begun && std::isnan(rows.back().t_end);
     const bool ends_here = begun && !presses && rows.back().t_end >= step.end;
@@ -215,16 +222,16 @@ void LinkSamples::step(bool output_due) {
     if (presses || ends_here) {
       if (impact.empty() && model_.links[i].preload && rows.size() == 1)
         impact.begin_pressed({step.begin, step.motion_begin.penetration, step.motion_begin.rate, step.force_begin,
-                              contact.work() - LinkPower(step).work_after(0), friction(i, &LinkStep::force_begin)});
-      if (step.force_middle != 0) add_inside(i, step, contact, rows.back());
+                              work - LinkPower(step).work_after(0), friction(i, &LinkStep::force_begin)});
+      if (step.force_middle != 0) add_inside(i, step, rows.back());
       // A located end may be later than the exact one by round-off of the motion, where the formula of the law would be
       // tensile.
       const double force = contact.acting_force(presses ? stepper_.link_forces()[static_cast<int>(i)] : step.force_end);
-      impact.add({step.end, end.penetration, end.rate, force, contact.work(), friction(i, &LinkStep::force_end)});
+      impact.add({step.end, end.penetration, end.rate, force, work, friction(i, &LinkStep::force_end)});
     }
     if (presses) continue;
     impact.finish(histories_[i]);
-    if (ends_here || output_due) append({step.end, end.penetration, end.rate, 0, contact.work(), {}}, histories_[i]);
+    if (ends_here || output_due) append({step.end, end.penetration, end.rate, 0, work, {}}, histories_[i]);
   }
 }
 

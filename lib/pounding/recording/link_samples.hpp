@@ -73,7 +73,7 @@ class LinkSamples {
   void show_openings();
   void record_opening(std::size_t link, const LinkStep& step);
   std::array<double, 2> friction(std::size_t link, double LinkStep::* force) const;
-  void add_inside(std::size_t link, const LinkStep& step, const Contact& contact, const ImpactRow& row);
+  void add_inside(std::size_t link, const LinkStep& step, const ImpactRow& row);
   void add_inside(const Inside& in, double s, const Jet& at, double force);
   void add_between(const Inside& in, double s, double force_s, double e, double force_e, int depth);
 

@@ -141,18 +141,14 @@ void Recorder::archive(Archive& archive) {
 
 int Recorder::impacts() const {
   std::size_t count = 0;
-  if (has_links())
-    for (const Link& link : model_.links) count += link.contact->impacts().size();
+  for (const ContactMemory& contact : stepper_.memory().contacts) count += contact.impacts().size();
   return static_cast<int>(count);
 }
 
 std::vector<ImpactRow> Recorder::impacts_in_order() const {
   std::vector<ImpactRow> all;
-  if (!has_links()) return all;
-  for (const Link& link : model_.links) {
-    const std::span<const ImpactRow> rows = link.contact->impacts();
-    all.insert(all.end(), rows.begin(), rows.end());
-  }
+  for (const ContactMemory& contact : stepper_.memory().contacts)
+    all.insert(all.end(), contact.impacts().begin(), contact.impacts().end());
   std::ranges::stable_sort(all, {}, &ImpactRow::t_start);
   return all;
 }
@@ -167,7 +163,7 @@ void Recorder::summarize(Summary& summary) const {
   if (has_links()) {
     for (std::size_t i = 0; i < model_.links.size(); ++i) {
       const Link& link = model_.links[i];
-      LinkSummary& found = summary.links.emplace_back(summary_of(link.name, link.contact->impacts()));
+      LinkSummary& found = summary.links.emplace_back(summary_of(link.name, stepper_.memory().contacts[i].impacts()));
       found.largest_opening = std::max(0.0, links_.openings().max[i]);
       found.t_opening = links_.openings().t_max[i];
       found.seat = link.seat;

@@ -13,7 +13,7 @@ namespace pounding {
 namespace {
 
 // Energy dissipated by yielding, and by the damper of a device.
-double lost_by(const Spring& spring) { return spring.lost() + spring.damped(); }
+double lost_by(const ElementEnergy& energy) { return energy.lost + energy.damped; }
 
 // True if the range extends beyond the extremes.
 bool exceeds(const Extremes& extremes, std::size_t i, double low, double high) {
@@ -35,13 +35,13 @@ double first_beyond(const LinkStep& step, const YieldLimits& limits) {
 }
 
 // Peaks of a force that curves sharply inside a step.
-void update_by_pieces(const Spring& spring, const LinkStep& step, double stiffness, std::size_t part,
+void update_by_pieces(const LinkSet& links, int link, const LinkStep& step, double stiffness, std::size_t part,
                       Extremes& forces) {
   constexpr int pieces = 16;
   const double h = (step.end - step.begin) / pieces;
   const auto force = [&](double s) {
     const double d = interpolate(step, s).penetration;
-    return stiffness * d + spring.inside(step, s, d).force;
+    return stiffness * d + links.inside(link, step, s, d).force;
   };
   double last = force(0);
   for (int j = 0; j < pieces; ++j) {
@@ -75,12 +75,12 @@ SpringHistories::SpringHistories(const Model& model, const FloorResponse& respon
     histories_[k].springs = spring_heading(s);
     first_.push_back(link);
     link += s.yielding.size();
-    for (const YieldingPart& part : s.yielding) assembled_.push_back(part.spring->stiffness());
+    for (const YieldingPart& part : s.yielding) assembled_.push_back(part.stiffness());
     if (s.members_that_yield() == 0 || s.storey_stiffness.empty()) continue;
     StoreyDamping damping{static_cast<int>(k), response.row(static_cast<int>(k), 0, 0), s.whole_damping(), {}};
     for (int i = s.size() - 2; i >= 0; --i) damping.by_velocity.row(i) += damping.by_velocity.row(i + 1);
     for (const YieldingPart& part : s.yielding)
-      if (!part.is_device()) damping.yield_force.push_back(part.spring->stiffness() * part.spring->yield_deformation());
+      if (!part.is_device()) damping.yield_force.push_back(part.stiffness() * part.yield_deformation());
     dampings_.push_back(std::move(damping));
   }
 }
@@ -159,7 +159,9 @@ void SpringHistories::stay() {
 
 void SpringHistories::step_part(int k, std::size_t i) {
   SpringHistory& history = histories_[k].springs;
-  const LinkStep& step = stepper_.link_step(static_cast<int>(first_[k] + i));
+  const LinkSet& links = stepper_.links();
+  const int link = static_cast<int>(first_[k] + i);
+  const LinkStep& step = stepper_.link_step(link);
   const double h = step.end - step.begin, stiffness = assembled(k, i);
   const LinkMotion &begin = step.motion_begin, &end = step.motion_end;
   // A cubic deviates from its ends by at most a third of the step times the rates, a parabola by at most a quarter of
@@ -172,19 +174,18 @@ void SpringHistories::step_part(int k, std::size_t i) {
   const double f0 = stiffness * begin.penetration + step.force_begin, f1 = stiffness * end.penetration + step.force_end;
   const double fm = stiffness * step.motion_middle.penetration + step.force_middle, away = 0.25 * std::abs(f1 - f0);
   const YieldingPart& part = model_.structures[k].yielding[i];
-  const Spring& spring = *part.spring;
-  if (spring.bends_sharply(step))
-    update_by_pieces(spring, step, stiffness, i, history.forces);
+  if (part.has_spring() && part.spring().bends_sharply(step))
+    update_by_pieces(links, link, step, stiffness, i, history.forces);
   else if (exceeds(history.forces, i, std::min(fm, f1) - away, std::max(fm, f1) + away))
     history.forces.update(i, step.begin, h, f0, fm, f1);
   if (begin.rate * end.rate < 0) {
     const CubicPenetration between(begin, end, h);
     if (const double s = between.turn(); s > 0 && s < 1)
-      reach(history, part, i, stiffness, between.at(s), spring.inside(step, s, between.at(s)).force);
+      reach(history, part, i, stiffness, between.at(s), links.inside(link, step, s, between.at(s)).force);
   }
   reach(history, part, i, stiffness, end.penetration, step.force_end);
   history.last[i] = end.penetration;
-  history.lost[i] = lost_by(spring);
+  history.lost[i] = lost_by(links.energy(link));
   if (const YieldLimits& limits = history.limits[i];
       std::isnan(history.first_yield[i]) && (limits.exceeded_by(low) || limits.exceeded_by(high)))
     if (const double s = first_beyond(step, limits); s <= 1) history.first_yield[i] = step.begin + s * h;
@@ -217,7 +218,7 @@ void SpringHistories::sample(double time, bool inside) {
     SpringHistory& history = histories_[k].springs;
     const int link = static_cast<int>(first_[k] + i);
     double on_top = stepper_.link_forces()[link],
-           lost = stayed ? history.lost[i] : lost_by(*model_.structures[k].yielding[i].spring), d = 0;
+           lost = stayed ? history.lost[i] : lost_by(stepper_.links().energy(link)), d = 0;
     if (!inside) {
       d = stepper_.link_motion(link).penetration;
     } else if (stayed) {
@@ -226,7 +227,7 @@ void SpringHistories::sample(double time, bool inside) {
       const LinkStep& step = stepper_.link_step(link);
       const double s = (time - step.begin) / (step.end - step.begin);
       d = interpolate(step, s).penetration;
-      const Spring::Instant instant = model_.structures[k].yielding[i].spring->inside(step, s, d);
+      const Spring::Instant instant = stepper_.links().inside(link, step, s, d);
       on_top = instant.force;
       lost = instant.lost;
     }

@@ -27,7 +27,7 @@ void StepMotion::take() {
   end_minus = last.motion;
   response_.complete(end_minus, last.time, stepper_.ground_end_minus());
   has_middle = stepper_.options().scheme.kind == Scheme::Kind::esdirk4 && h > 0;
-  presses = has_middle && (stepper_.system().springs.empty() || stepper_.springs_stayed()) && any_link_presses();
+  presses = has_middle && (stepper_.system().elements.empty() || stepper_.springs_stayed()) && any_link_presses();
   if (has_middle) {
     middle = stepper_.outputs_middle();
     if (presses) find_missed_area(first.motion, last.motion);

@@ -37,7 +37,8 @@ void StoreyShears::begin(const Eigen::MatrixXd& floors) {
     const int at = first_row_[k] + static_cast<int>(i);
     const double drift = floors(at, 0) - (i > 0 ? floors(at - 1, 0) : 0);
     double force = s.storey_stiffness[i] * drift;
-    if (i < s.members_that_yield()) force += s.yielding[i].spring->evaluate({.penetration = drift}).force;
+    if (i < s.members_that_yield())
+      force += stepper_.links().law(static_cast<int>(first_spring_[k] + i), {.penetration = drift}).force;
     force += shear_by_devices(s.floors[i], [&](std::size_t part) {
       return stepper_.link_forces()[static_cast<int>(first_spring_[k] + part)];
     });
@@ -66,13 +67,16 @@ void StoreyShears::step_storey(int k, std::size_t i, const StepMotion& step) {
   const double k_i = s.storey_stiffness[i], d0 = drift(step.begin, 0), d1 = drift(step.end_minus, 0);
   const double v0 = drift(step.begin, 1), v1 = drift(step.end_minus, 1);
   const bool yields = i < s.members_that_yield(), has_device = !s.floors[i].storey_shear_by_yielding.empty();
-  const LinkStep* spring = yields ? &stepper_.link_step(static_cast<int>(first_spring_[k] + i)) : nullptr;
+  const auto force_of = [&](std::size_t part, double time, double deformation) {
+    const int link = static_cast<int>(first_spring_[k] + part);
+    return spring_force(stepper_.links(), link, stepper_.link_step(link), time, deformation);
+  };
   const auto update = [&](double part, double d) {
     const double time = step.begin_time + part * step.h;
-    double force = k_i * d + (yields ? spring_force(*s.yielding[i].spring, *spring, time, d) : 0);
+    double force = k_i * d + (yields ? force_of(i, time, d) : 0);
     force += shear_by_devices(s.floors[i], [&](std::size_t j) {
       const LinkStep& device = stepper_.link_step(static_cast<int>(first_spring_[k] + j));
-      return spring_force(*s.yielding[j].spring, device, time, interpolate(device, part).penetration);
+      return force_of(j, time, interpolate(device, part).penetration);
     });
     shear.update(i, time, force);
   };

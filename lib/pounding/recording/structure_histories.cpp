@@ -75,9 +75,9 @@ void StructureHistories::sample_floors(int k, const OutputInstant& at) {
       if (s.storey_stiffness.empty()) continue;
       double shear = s.storey_stiffness[i] * drift;
       if (i < yielding) {
-        const LinkStep& step = stepper_.link_step(static_cast<int>(first_spring_[k] + i));
-        const Spring& spring = *s.yielding[i].spring;
-        shear += at.inside ? spring_force(spring, step, at.time, drift) : spring.evaluate({.penetration = drift}).force;
+        const int link = static_cast<int>(first_spring_[k] + i);
+        shear += at.inside ? spring_force(stepper_.links(), link, stepper_.link_step(link), at.time, drift)
+                           : stepper_.links().law(link, {.penetration = drift}).force;
       }
       shear += shear_by_devices(s.floors[i], [&](std::size_t part) { return device_force(k, part, at); });
       history.storey_shear.push_back(shear);
@@ -86,11 +86,11 @@ void StructureHistories::sample_floors(int k, const OutputInstant& at) {
 
 // Force of a device inside a structure.
 double StructureHistories::device_force(int k, std::size_t part, const OutputInstant& at) const {
-  const std::size_t link = first_spring_[k] + part;
-  if (!at.inside) return stepper_.link_forces()[static_cast<int>(link)];
-  const LinkStep& step = stepper_.link_step(static_cast<int>(link));
+  const int link = static_cast<int>(first_spring_[k] + part);
+  if (!at.inside) return stepper_.link_forces()[link];
+  const LinkStep& step = stepper_.link_step(link);
   const double d = interpolate(step, (at.time - step.begin) / (step.end - step.begin)).penetration;
-  return spring_force(*model_.structures[k].yielding[part].spring, step, at.time, d);
+  return spring_force(stepper_.links(), link, step, at.time, d);
 }
 
 void StructureHistories::take_motion(const OutputInstant& at) {
@@ -105,7 +105,7 @@ void StructureHistories::take_motion(const OutputInstant& at) {
     stepper_.interpolate_springs(at.time, springs_);
   } else {
     const State& now = stepper_.state();
-    springs_ = now.force.segment(stepper_.system().contact_count(), static_cast<int>(stepper_.system().springs.size()));
+    springs_ = now.force.segment(stepper_.system().contact_count(), stepper_.system().spring_count());
     u_ = now.u;
     v_ = now.v;
     a_ = now.a;

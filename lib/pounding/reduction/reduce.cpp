@@ -71,7 +71,7 @@ bool is_part(const System& system, int link) {
 }
 
 void count_links(const System& system, const Group& group, ReducedStructure& made) {
-  const int frictions_from = system.contact_count() + static_cast<int>(system.springs.size());
+  const int frictions_from = system.contact_count() + system.spring_count();
   for (const int column : used_columns(system.gap_jacobian, group)) {
     made.frictions += column >= frictions_from ? 1 : 0;
     made.devices += is_spring(system, column) && !is_part(system, column) ? 1 : 0;

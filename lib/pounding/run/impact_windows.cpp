@@ -22,7 +22,7 @@ void ImpactWindow::archive(Archive& archive) { archive(force, u, v, steps); }
 bool ImpactWindows::presses() const {
   for (std::size_t i = 0; i < counts_.size(); ++i)
     if (counts_[i] &&
-        (stepper_.system().contacts[i]->phase() != ContactPhase::open || acts(stepper_.link_step(static_cast<int>(i)))))
+        (stepper_.memory().contacts[i].phase() != ContactPhase::open || acts(stepper_.link_step(static_cast<int>(i)))))
       return true;
   return false;
 }
@@ -50,7 +50,7 @@ void ImpactWindows::record() {
     if (!acts(link)) continue;
     ImpactWindow::Force force{i, link.force_begin, link.force_middle, link.force_end};
     if (i < system.contact_count()) {
-      const laws::Response law = system.contacts[static_cast<std::size_t>(i)]->evaluate(link.motion_end);
+      const laws::Response law = stepper_.links().law(i, link.motion_end);
       if (std::isfinite(law.by_penetration)) force.by_penetration = law.by_penetration;
       if (std::isfinite(law.by_rate)) force.by_rate = law.by_rate;
       if (counts_[static_cast<std::size_t>(i)])

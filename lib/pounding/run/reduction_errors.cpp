@@ -207,7 +207,7 @@ void ReductionErrors::compare_forces(const Instant& end) {
   for (std::size_t i = 0; i < forces_.size(); ++i) {
     if (!presses(i)) continue;
     const auto row = static_cast<Eigen::Index>(i);
-    const laws::Response law = stepper_.system().contacts[i]->evaluate(step(i).motion_end);
+    const laws::Response law = stepper_.links().law(static_cast<int>(i), step(i).motion_end);
     double difference = law.by_penetration * (end.relative(row, 0) - closings_(row, 0)) +
                         law.by_rate * (end.relative(row, 1) - closings_(row, 1));
     if (!std::isfinite(difference)) difference = 0;

@@ -3,7 +3,6 @@
 #include <ctime>
 #include <memory>
 #include <optional>
-#include <span>
 #include <stdexcept>
 #include <vector>
 
@@ -26,7 +25,6 @@
 #include <pounding/run/separation.hpp>
 #include <pounding/run/stopwatch.hpp>
 #include <pounding/run/ts_setup.hpp>
-#include <pounding/stepping/links/link_memory.hpp>
 #include <pounding/stepping/stepper.hpp>
 #include <pounding/stepping/ts_pounding.hpp>
 
@@ -79,7 +77,7 @@ Results heading(const Model& model, const RunOptions& options, const EffectiveSe
 }
 
 // `without`: outcome of the run without links, if any. Automatic reductions get `deeper` more blocks than the tolerance
-// requires. Returns nullopt if they need even more: then the model has been reset, and no end was written.
+// requires. Returns nullopt if they need even more: then no end was written.
 std::optional<Outcome> try_run(const Task& task, bool with_links, const Outcome& without, int deeper,
                                const Stopwatch& since_start, const InterruptedRun* earlier) {
   const Model& model = task.model;
@@ -104,8 +102,6 @@ std::optional<Outcome> try_run(const Task& task, bool with_links, const Outcome&
   plan.cache_folder = cache_folder;
   if (plan.requested && settings.solver != petsc::SolverKind::automatic)
     throw InputError("a reduction has no effect with -pounding_ts_pounding_base; omit one of the two");
-  Archive at_the_start;
-  if (plan.requested) archive_memory(system, at_the_start);
   const std::unique_ptr<StructureSolver> solver = petsc::make_solver(system, settings.solver, plan, options.comm);
   Stepper stepper(system, *solver, settings.stepper);
   petsc::check(petsc::set_stepper(setup.ts, &stepper));
@@ -139,11 +135,7 @@ std::optional<Outcome> try_run(const Task& task, bool with_links, const Outcome&
   if (failure.empty()) {
     recorder.summarize(outcome.summary);
     reduction.summarize(outcome.summary);
-    if (must_be_deeper(plan, outcome.summary.reduced)) {
-      Archive memory(at_the_start.bytes());
-      archive_memory(system, memory);
-      return std::nullopt;
-    }
+    if (must_be_deeper(plan, outcome.summary.reduced)) return std::nullopt;
     failure = monitor.check_reduction();
   }
   if (!monitor.is_resumable()) results.checkpoint.reset();
@@ -201,21 +193,12 @@ void require_same_model(const petsc::Ranks& ranks, const Model& model) {
                     model.source_file.empty() ? "the model" : model.source_file));
 }
 
-// A preloaded contact presses before the run starts.
-bool has_run(const Link& link) {
-  const std::span<const ImpactRow> impacts = link.contact->impacts();
-  if (link.preload && impacts.size() == 1 && impacts[0].impulse == 0) return false;
-  return !impacts.empty() || link.contact->phase() != ContactPhase::open;
-}
-
 }  // namespace
 
 Outcome run(const Model& model, const RunOptions& options) {
   if (options.comm == MPI_COMM_NULL)
     throw std::logic_error("RunOptions::comm is null; create the options after PETSc is initialized");
   if (!model.is_complete()) throw std::logic_error("this model is not complete; call its complete() first");
-  for (const Link& link : model.links)
-    if (has_run(link)) throw std::logic_error("this model has already been run; read it again");
   require_same_model(petsc::Ranks(options.comm), model);
   ReplacedFile file(options.output);
   const EffectiveSettings settings = effective_settings(model);

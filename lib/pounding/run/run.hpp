@@ -4,6 +4,7 @@
 #include <petscsys.h>
 
 #include <functional>
+#include <span>
 #include <string>
 #include <utility>
 
@@ -25,9 +26,9 @@ struct RunOptions {
   /// Called about ten times per second between two steps with the simulated time [s], the duration [s] and the number
   /// of impacts.
   std::function<void(double, double, int)> progress = {};
-  /// Polled between steps, about fifty times per second. Returning true on one process stops the run: results up to
-  /// that time are written with a checkpoint, and FailedRun is thrown.
-  std::function<bool()> stop = {};
+  /// Polled between steps, about fifty times per second, with the contacts at that time. Returning true on one process
+  /// stops the run: results up to that time are written with a checkpoint, and FailedRun is thrown.
+  std::function<bool(std::span<const ContactMemory> contacts)> stop = {};
   /// Results file of an interrupted run of this model: killed, stopped, or ended by -pounding_ts_max_steps. The run
   /// resumes from its last checkpoint and is bitwise identical to an uninterrupted run. Empty to run from the start.
   std::string resume = {};
@@ -53,8 +54,8 @@ class FailedRun : public SolverError {
   Outcome outcome_;
 };
 
-/// Runs the model once; its contacts keep the history of their impacts. With `compare: no_pounding`, the model is first
-/// run without its links.
+/// Runs the model, which it does not change: repeated runs give identical results. With `compare: no_pounding`, the
+/// model is first run without its links.
 ///
 /// Collective on `options.comm`: all processes pass the same arguments, and the first one writes the file. PETSc must
 /// be initialized. If a run ended early for any reason except a failed solve, its file can be resumed.
@@ -63,8 +64,7 @@ class FailedRun : public SolverError {
 ///   FailedRun         if the solve fails or is stopped, after the results and the reason have been written
 ///   InputError        if the file cannot be written, a PETSc option is invalid or unused, the run cannot be resumed
 ///                     (read_interrupted_run, check_same_run), or models or records differ between processes
-///   std::logic_error  if the model has already been run or is not complete, or the options were created before
-///                     PETSc was initialized
+///   std::logic_error  if the model is not complete, or the options were created before PETSc was initialized
 Outcome run(const Model& model, const RunOptions& options = {});
 /// Completes the model first; throws ModelError on failure.
 inline Outcome run(Model& model, const RunOptions& options = {}) {

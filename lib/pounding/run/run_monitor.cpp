@@ -46,7 +46,7 @@ std::string RunMonitor::check_reduction() {
   try {
     for (bool more = reduction_.check.is_requested(); more;) {
       ranks_.on_each([&] { more = reduction_.check.next(); });
-      if (!more || !ranks_.any(options_.stop && options_.stop())) continue;
+      if (!more || !ranks_.any(options_.stop && options_.stop(stepper_.memory().contacts))) continue;
       resumable_ = true;
       return "stopped by the user during the check of the reduction";
     }
@@ -78,7 +78,7 @@ void RunMonitor::end_at_collapse() {
 }
 
 void RunMonitor::look() {
-  if (ranks_.any(options_.stop && options_.stop())) {
+  if (ranks_.any(options_.stop && options_.stop(stepper_.memory().contacts))) {
     writer_.save();
     resumable_ = true;
     throw SolverError(fmt::format("stopped by the user at t = {:.6g} s", stepper_.time()));

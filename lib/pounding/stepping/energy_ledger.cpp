@@ -56,10 +56,10 @@ void EnergyLedger::add_step(const Equations& equations, const Instant& x, const 
 Energies EnergyLedger::energies(const Equations& equations, const Instant& now) const {
   const StructureSolver& solver = equations.solver;
   const Eigen::MatrixXd& x = now.motion;
-  momentum_.resize(solver.size());
-  solver.mass_times(x.col(v), momentum_);
+  Eigen::VectorXd momentum(solver.size());
+  solver.mass_times(x.col(v), momentum);
   const int n = solver.counted();
-  std::vector<double> sums{input_, damping_, 0.5 * momentum_.head(n).dot(x.col(v).head(n)),
+  std::vector<double> sums{input_, damping_, 0.5 * momentum.head(n).dot(x.col(v).head(n)),
                            0.5 * x.col(u).head(n).dot(x.col(ku).head(n))};
   solver.combine(sums);
   Energies e;
@@ -72,17 +72,19 @@ Energies EnergyLedger::energies(const Equations& equations, const Instant& now) 
     solver.physical(x.col(u), whole);
     e.strain += equations.pseudo_forces.energy(whole);
   }
-  for (const Spring* spring : equations.system.springs) {
-    e.hysteretic += spring->lost();
-    e.devices += spring->damped();
-    e.strain += spring->stored_correction();
+  const LinkMemory& memory = equations.links.memory();
+  for (std::size_t i = 0; i < equations.system.elements.size(); ++i) {
+    const ElementEnergy own = equations.system.elements[i]->energy(memory.elements[static_cast<int>(i)]);
+    e.hysteretic += own.lost;
+    e.devices += own.damped;
+    e.strain += own.stored_correction;
   }
   // With u = u_m - W F, the degrees of freedom store u.K u/2 = u_m.K u_m/2 + F.B_s^T W F/2. They do work on a spring at
   // the rate F d(B^T u)/dt = F dd/dt + F.R dF/dt. The spring stores or dissipates the first term. The stored total is
   // therefore F.S F/2 with S = B_s^T W + R.
   if (equations.springs.any())
     e.strain += 0.5 * now.force.segment(equations.links.contacts(), equations.links.springs()).dot(now.relief);
-  for (const Contact* contact : equations.system.contacts) e.impact += contact->work();
+  for (const ContactMemory& contact : memory.contacts) e.impact += contact.log.work();
   for (const double work : friction_) e.impact += work;
   return e;
 }

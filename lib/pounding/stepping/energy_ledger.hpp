@@ -57,7 +57,6 @@ class EnergyLedger {
   std::vector<double> friction_;
   // Workspace.
   Eigen::VectorXd vm_, cvm_;  // rates and damping forces at mid-step
-  mutable Eigen::VectorXd momentum_;
 };
 
 }  // namespace pounding

@@ -55,7 +55,8 @@ Instant Equations::zero_instant() const {
   if (pseudo_forces.any()) x.pseudo_force = Eigen::VectorXd::Zero(solver.size());
   if (slips.any()) x.slip = x.friction_slip_rate = Eigen::VectorXd::Zero(slips.size());
   if (springs.any()) {
-    x.relief = x.spring_slopes = Eigen::VectorXd::Zero(links.springs());
+    x.relief = Eigen::VectorXd::Zero(links.springs());
+    x.spring_slopes = Eigen::MatrixXd::Zero(links.springs(), springs.width());
     x.force_rates = Eigen::MatrixXd::Zero(links.springs(), 2);
   }
   return x;
@@ -82,7 +83,7 @@ void Equations::multiply(Instant& x, int first, int count) const {
                                      x.motion.middleCols(cv + damped - v, first + count - damped));
 }
 
-void Equations::pseudo_force(Eigen::Ref<const Eigen::VectorXd> displacement, Eigen::VectorXd& force) const {
+void Equations::pseudo_force(Eigen::Ref<const Eigen::VectorXd> displacement, Eigen::VectorXd& force) {
   solver.physical(displacement, whole_);
   pseudo_forces.evaluate(own_groups_, whole_, whole_force_);
   force.setZero(solver.size());
@@ -90,18 +91,23 @@ void Equations::pseudo_force(Eigen::Ref<const Eigen::VectorXd> displacement, Eig
 }
 
 void Equations::balance(std::span<const LinkMotion> motions, const Eigen::MatrixXd& by_ground, bool inside_step,
-                        bool springs_stay, Eigen::VectorXd& force, Eigen::Ref<Eigen::VectorXd> r) const {
+                        bool springs_stay, Eigen::VectorXd& force, Eigen::Ref<Eigen::VectorXd> r) {
   std::vector<int> held;
   bool any = springs_stay && force.segment(links.contacts(), links.springs()).cwiseAbs().sum() != 0;
   for (int i = 0, last = springs_stay ? links.contacts() : links.frictions_from(); i < last; ++i) {
     force[i] = 0;
     if (links.is_held(i)) {
       held.push_back(i);
-    } else if (links.is_active(i)) {
+    } else if (links.is_active(i) && !links.is_coupled(i)) {
       force[i] = links.law(i, motions[i]).force;
       if (inside_step && i < links.contacts()) force[i] = links.contact(i).acting_force(force[i]);
       any = any || force[i] != 0;
     }
+  }
+  for (const CoupledElement& element : links.coupled()) {
+    const ElementResponse answer = links.law(element, motions.subspan(element.first, element.count));
+    for (int j = 0; j < element.count; ++j) force[element.first + j] = answer.force[j];
+    any = true;
   }
   for (const Friction& friction : links.frictions()) {
     TangentialMotion along;
@@ -126,7 +132,7 @@ void Equations::balance(std::span<const LinkMotion> motions, const Eigen::Matrix
   }
 }
 
-void Equations::balance(Instant& x) const {
+void Equations::balance(Instant& x) {
   using enum Instant::Column;
   solver.stiffness_and_damping_times(x.motion.col(v), x.motion.col(kv), x.motion.col(cv));
   gather(x);
@@ -157,7 +163,7 @@ LinkMotion Equations::middle_of(int i, const Instant& x, const Trial& trial) {
           0.5 * (x.relative(i, v) + y.relative(i, v)) + eighth * (x.relative(i, a) - y.relative(i, a))};
 }
 
-bool Equations::balance_middle(const Instant& x, Trial& trial) const {
+bool Equations::balance_middle(const Instant& x, Trial& trial) {
   using enum Instant::Column;
   const double h = trial.h;
   const Instant& y = trial.end;
@@ -213,7 +219,7 @@ bool Equations::balance_middle(const Instant& x, Trial& trial) const {
   return true;
 }
 
-void Equations::hold_moved_end(const Instant& begin, Trial& trial) const {
+void Equations::hold_moved_end(const Instant& begin, Trial& trial) {
   std::vector<int> held;
   for (int i = 0; i < links.contacts(); ++i)
     if (links.is_held(i)) held.push_back(i);

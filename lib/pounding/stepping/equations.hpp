@@ -28,8 +28,8 @@ struct Equations {
 
   const System& system;
   StructureSolver& solver;
-  const LinkSet links;
-  const SpringForces springs;
+  LinkSet links;
+  SpringForces springs;
   ElasticRanges ranges;
   const LinkSlips slips;
   SupportExcitation supports;
@@ -50,24 +50,24 @@ struct Equations {
     if (springs.any()) springs.relieve(x);
   }
   /// e at a displacement.
-  void pseudo_force(Eigen::Ref<const Eigen::VectorXd> displacement, Eigen::VectorXd& force) const;
+  void pseudo_force(Eigen::Ref<const Eigen::VectorXd> displacement, Eigen::VectorXd& force);
 
   /// Solves dynamic equilibrium: computes the link forces from the link motions and replaces `r`, the sum of all other
   /// forces, by the acceleration. Held contacts take the forces that make their closing acceleration zero; contacts
   /// between the same bodies share them. `inside_step`: negative contact forces are set to zero unless the law can
   /// pull. `springs_stay`: `force` already contains the spring forces.
   void balance(std::span<const LinkMotion> motions, const Eigen::MatrixXd& by_ground, bool inside_step,
-               bool springs_stay, Eigen::VectorXd& force, Eigen::Ref<Eigen::VectorXd> r) const;
+               bool springs_stay, Eigen::VectorXd& force, Eigen::Ref<Eigen::VectorXd> r);
   /// Completes an instant just after events from its displacement, velocity, K u and pseudo-forces, by dynamic
   /// equilibrium.
-  void balance(Instant& x) const;
+  void balance(Instant& x);
   /// Mid-step motions, forces and accelerations of a trial: cubic interpolation of the motion, then dynamic
   /// equilibrium. Then the rates of its springs. False if these find no equilibrium.
-  bool balance_middle(const Instant& begin, Trial& trial) const;
+  bool balance_middle(const Instant& begin, Trial& trial);
   /// Cubic interpolation of a link's relative motion at mid-step, without ground motion and gravity.
   static LinkMotion middle_of(int link, const Instant& begin, const Trial& trial);
   /// Corrects displacements and velocities of held contacts at the end of a step; see hold_contacts().
-  void hold_end(const Instant& begin, Trial& trial) const {
+  void hold_end(const Instant& begin, Trial& trial) {
     if (moves_ends_apart(trial)) hold_moved_end(begin, trial);
   }
 
@@ -75,14 +75,14 @@ struct Equations {
   // True if the time integration may separate the ends of a link that has no closing acceleration: if ground motion
   // moves them differently, or is integrated exactly (ShortMotions) at one end only.
   bool moves_ends_apart(const Trial& trial) const { return links.moved() || trial.short_motions; }
-  void hold_moved_end(const Instant& begin, Trial& trial) const;
+  void hold_moved_end(const Instant& begin, Trial& trial);
 
   std::vector<int> own_groups_;  // groups with coordinates on this process
   // Workspace.
-  mutable Eigen::VectorXd whole_, whole_force_;  // of all degrees of freedom
-  mutable Eigen::VectorXd displacement_, force_;
-  mutable Eigen::MatrixXd relative_;
-  mutable std::vector<LinkMotion> motions_;
+  Eigen::VectorXd whole_, whole_force_;  // of all degrees of freedom
+  Eigen::VectorXd displacement_, force_;
+  Eigen::MatrixXd relative_;
+  std::vector<LinkMotion> motions_;
 };
 
 }  // namespace pounding

@@ -17,10 +17,10 @@ double EventFunctions::noise(const EventId& id, const LinkMotion& motion, const 
     size_v = std::max(size_v, std::abs(now.by_ground(id.link, Instant::v)));
   }
   const auto of_force = [&] {
-    return force_noise +
-           links_.contact(id.link).force_event_noise(motion, {motion_noise * size_u, motion_noise * size_v});
+    return force_noise + links_.contact(id.link).force_event_noise(links_.of_contact(id.link), motion,
+                                                                   {motion_noise * size_u, motion_noise * size_v});
   };
-  switch (links_.contact(id.link).phase()) {
+  switch (links_.phase(id.link)) {
     case ContactPhase::open: return motion_noise * size_u;
     case ContactPhase::approach: return id.event == 0 ? motion_noise * size_v : motion_noise * size_u;
     case ContactPhase::restitution:

@@ -32,7 +32,7 @@ class EventFunctions {
 
   /// All event functions of a contact at a motion and force [N].
   Contact::EventFunctions values(int link, const LinkMotion& motion, double force) const {
-    return links_.contact(link).event_functions(motion, force);
+    return links_.contact(link).event_functions(links_.of_contact(link), motion, force);
   }
   /// Value of one event function at an instant.
   double value(const EventId& id, const Instant& x) const {

@@ -77,8 +77,7 @@ struct EventLocator::Search {
   // must begin with its gap closed to round-off. With an open gap it would pull, or separate immediately and leave a
   // spurious impact.
   double together(const EventId& id, double change) const {
-    const Contact& contact = links.contact(id.link);
-    const bool touches = contact.phase() == ContactPhase::open && !contact.is_rigid();
+    const bool touches = links.phase(id.link) == ContactPhase::open && !links.contact(id.link).is_rigid();
     return touches ? functions.noise(id, at_end(id.link), now) : grouped_part * change;
   }
 };
@@ -89,7 +88,7 @@ void EventLocator::Search::look_for_inner_touch(int link) const {
   const auto rate = [&](const Instant& x) {
     return x.relative(link, Instant::v) + links.ground_part(x.by_ground, link, Instant::v);
   };
-  if (!(rate(now) > 0 && rate(trial.end) < 0) || links.contact(link).phase() != ContactPhase::open) return;
+  if (!(rate(now) > 0 && rate(trial.end) < 0) || links.phase(link) != ContactPhase::open) return;
   const LinkMotion begin = links.motion(link, now), end = at_end(link);
   if (!(begin.penetration <= 0 && end.penetration <= 0)) return;
   const CubicPenetration between(begin, end, trial.h);
@@ -117,9 +116,8 @@ void EventLocator::Search::stop_at_corner() const {
 
 // Facing bodies with closed gaps that approach will touch regardless of other contacts, unless a velocity jumps.
 bool EventLocator::Search::touches_now(const EventBracket& bracket) const {
-  const Contact& contact = links.contact(bracket.id.link);
   const LinkMotion here = links.motion(bracket.id.link, now);
-  return contact.phase() == ContactPhase::open && !contact.is_rigid() &&
+  return links.phase(bracket.id.link) == ContactPhase::open && !links.contact(bracket.id.link).is_rigid() &&
          bracket.at_begin <= functions.noise(bracket.id, here, now) &&
          here.rate > motion_noise * functions.scales().max_velocity();
 }
@@ -241,8 +239,7 @@ bool EventLocator::may_find(const Instant& now, const Trial& trial) const {
 std::optional<double> EventLocator::expected_end(const Instant& now, const Trial& trial) const {
   std::optional<double> first;
   for (const EventBracket& bracket : brackets_in(functions_, now, trial))
-    if (links_.contact(bracket.id.link).phase() != ContactPhase::open && bracket.guess > 0 &&
-        !(first && *first <= bracket.guess))
+    if (links_.phase(bracket.id.link) != ContactPhase::open && bracket.guess > 0 && !(first && *first <= bracket.guess))
       first = bracket.guess;
   return first;
 }

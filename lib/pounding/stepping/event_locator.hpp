@@ -35,7 +35,7 @@ class EventLocator {
   using TryStep = std::function<bool(double h, std::optional<double> end)>;
 
   /// Both arguments must outlive this object.
-  EventLocator(const EventFunctions& functions, const SpringForces& springs)
+  EventLocator(const EventFunctions& functions, SpringForces& springs)
       : functions_(functions), corners_(springs, functions.links()), links_(functions.links()) {}
 
   /// True if the solved step `trial` from `now` may contain an event; if false, locate() would find none.

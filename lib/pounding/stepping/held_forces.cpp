@@ -78,7 +78,7 @@ void HeldForces::find_peak(int contact, const Instant& x, const Trial& kept, std
     samples.insert(place, at(*s, x, kept));
   }
   const Sample& top = *std::ranges::max_element(samples, {}, force);
-  equations_.links.contact(contact).record_force(x.time + top.s * kept.h, force(top));
+  equations_.links.of_contact(contact).log.record_peak(x.time + top.s * kept.h, force(top));
 }
 
 void HeldForces::record_peaks(const Instant& x, const Trial& kept) {
@@ -89,7 +89,7 @@ void HeldForces::record_peaks(const Instant& x, const Trial& kept) {
     // The true maximum is assumed to exceed the samples by at most their spread. If it cannot exceed the peak of the
     // impact, skip.
     const auto [minimum, maximum] = std::minmax({x.force[i], kept.force_middle[i], kept.end.force[i]});
-    if (maximum + (maximum - minimum) <= links.contact(i).impacts().back().peak_force) continue;
+    if (maximum + (maximum - minimum) <= links.of_contact(i).impacts().back().peak_force) continue;
     if (samples.empty())
       samples = {{0, x.force}, at(0.25, x, kept), {0.5, kept.force_middle}, at(0.75, x, kept), {1, kept.end.force}};
     find_peak(i, x, kept, samples);

@@ -13,7 +13,7 @@ namespace pounding {
 class HeldForces {
  public:
   /// `equations` must outlive this object.
-  explicit HeldForces(const Equations& equations) : equations_(equations) {}
+  explicit HeldForces(Equations& equations) : equations_(equations) {}
 
   /// Passes the maximum force inside the step to each contact at rest (Contact::record_force). Call it before the
   /// histories of contacts and springs are updated to the end of the step.
@@ -29,7 +29,7 @@ class HeldForces {
   Sample at(double s, const Instant& begin, const Trial& kept);
   void find_peak(int contact, const Instant& begin, const Trial& kept, std::vector<Sample> samples);
 
-  const Equations& equations_;
+  Equations& equations_;
   // Working storage.
   std::vector<LinkMotion> motions_;
   Eigen::VectorXd ground_, acceleration_;

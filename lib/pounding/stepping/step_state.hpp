@@ -59,9 +59,10 @@ struct Instant {
   Eigen::VectorXd slip;            ///< LinkMotion::slip of every spring and friction; empty if none slips (LinkSlips)
   Eigen::VectorXd friction_slip_rate;  ///< of the same size: rates of the slip of friction, zero for springs [m/s]
   // Empty unless springs have relief (SpringRelief):
-  Eigen::VectorXd relief;         ///< S F of every spring [m]
-  Eigen::VectorXd spring_slopes;  ///< dF/dd of every spring in the step that ends here [N/m]
-  Eigen::MatrixXd force_rates;    ///< first and second time derivative of the force of every spring, with these slopes
+  Eigen::VectorXd relief;  ///< S F of every spring [m]
+  /// [spring, deformation of its element] dF/dd in the step that ends here [N/m]; one column without coupled elements
+  Eigen::MatrixXd spring_slopes;
+  Eigen::MatrixXd force_rates;  ///< first and second time derivative of the force of every spring, with these slopes
 
   /// One column of `motion`.
   const double* at(Column column) const { return motion.col(column).data(); }

@@ -1,13 +1,13 @@
 #include <pounding/stepping/stepper.hpp>
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <span>
 #include <stdexcept>
 #include <utility>
-
-#include <pounding/stepping/links/link_memory.hpp>
 
 namespace pounding {
 namespace {
@@ -69,9 +69,7 @@ void Stepper::start(double time, const Eigen::VectorXd& u, const Eigen::VectorXd
   describe_springs();
   const Eigen::VectorXd& rest = equations_.system.loaded_from;
   const bool is_loaded = !started_ && rest.size() > 0;
-  const auto springs_from = equations_.links.contacts(), springs_to = equations_.links.frictions_from();
-  for (int i = springs_from; is_loaded && i < springs_to; ++i)
-    equations_.links.spring(i).start({rest[i - springs_from], 0});
+  if (is_loaded) start_elements([&](int spring) { return LinkMotion{rest[spring], 0}; });
   const Energies before = started_ ? energies() : Energies{};
   const StructureSolver& solver = equations_.solver;
   Instant& now = history_.change_now();
@@ -90,11 +88,9 @@ void Stepper::start(double time, const Eigen::VectorXd& u, const Eigen::VectorXd
     equations_.slips.start(now);
     balance_now();
   }
-  for (int i = springs_from; i < springs_to; ++i) {
-    const LinkMotion motion = equations_.links.motion(i, now);
-    if (is_loaded) equations_.links.spring(i).load(motion.penetration);
-    equations_.links.spring(i).start(motion);
-  }
+  const auto motion_of = [&](int spring) { return equations_.links.motion(equations_.links.contacts() + spring, now); };
+  if (is_loaded) load_elements(rest, motion_of);
+  start_elements(motion_of);
   equations_.ranges.read();
   history_.restart();
   output_.forget();
@@ -104,6 +100,32 @@ void Stepper::start(double time, const Eigen::VectorXd& u, const Eigen::VectorXd
   if (is_loaded) ledger_.give(after.hysteretic);  // plastic work of the initial displacement
   norm_.start(now);
   started_ = true;
+}
+
+void Stepper::start_elements(const std::function<LinkMotion(int)>& motion_of) {
+  LinkMemory& memory = equations_.links.memory();
+  int spring = 0;
+  for (std::size_t i = 0; i < equations_.system.elements.size(); ++i) {
+    const Element& element = *equations_.system.elements[i];
+    std::array<LinkMotion, max_deformations> motions;
+    const int count = element.deformations();
+    for (int j = 0; j < count; ++j) motions[j] = motion_of(spring++);
+    element.start(memory.elements[static_cast<int>(i)], std::span(motions).first(static_cast<std::size_t>(count)));
+  }
+}
+
+// Slow loading from the state at rest.
+void Stepper::load_elements(const Eigen::VectorXd& rest, const std::function<LinkMotion(int)>& motion_of) {
+  LinkMemory& memory = equations_.links.memory();
+  int spring = 0;
+  for (std::size_t i = 0; i < equations_.system.elements.size(); ++i) {
+    const Element& element = *equations_.system.elements[i];
+    const int count = element.deformations();
+    std::array<double, max_deformations> from{}, to{};
+    for (int j = 0; j < count; ++j, ++spring) from[j] = rest[spring], to[j] = motion_of(spring).penetration;
+    const auto size = static_cast<std::size_t>(count);
+    element.load(memory.elements[static_cast<int>(i)], std::span(from).first(size), std::span(to).first(size));
+  }
 }
 
 double Stepper::step_towards(double wanted, double left) const {
@@ -173,9 +195,8 @@ std::vector<double> Stepper::friction_stored() const {
 }
 
 bool Stepper::in_contact() const {
-  const std::vector<Contact*>& contacts = equations_.system.contacts;
-  return std::any_of(contacts.begin(), contacts.end(),
-                     [](const Contact* contact) { return contact->phase() != ContactPhase::open; });
+  return std::ranges::any_of(equations_.links.memory().contacts,
+                             [](const ContactMemory& contact) { return contact.phase() != ContactPhase::open; });
 }
 
 // Fills the description of a link in the last accepted step.
@@ -233,7 +254,7 @@ void Stepper::accept() {
   if (equations_.slips.any()) equations_.slips.release(history_.trial().end);
   history_.keep_trial();
   output_.step_accepted();
-  const LinkSet& links = equations_.links;
+  LinkSet& links = equations_.links;
   const Instant &x = history_.begin(), &y = history_.now();
   const Trial& kept = history_.kept();
   held_forces_.record_peaks(x, kept);
@@ -241,18 +262,21 @@ void Stepper::accept() {
   for (int i = 0; i < links.size(); ++i) {
     LinkStep& step = described_.steps[i];
     if (kept.springs_stay && links.is_spring(i)) {
-      links.spring(i).stay(kept.spring_paths(i - links.contacts(), 1));
+      links.spring(i).stay(links.of_spring(i), kept.spring_paths(i - links.contacts(), 1));
       continue;
     }
     describe(i, step);
     if (i < links.contacts()) {
       troublesome_link_ = i;  // in case the contact throws
-      links.contact(i).accept(step);
+      links.contact(i).accept(links.of_contact(i), step);
       norm_.learn(i, step.motion_end);
-    } else if (i < links.frictions_from()) {
-      links.spring(i).accept(step);
+    } else if (links.is_spring(i) && !links.is_coupled(i)) {
+      links.spring(i).accept(links.of_spring(i), step);
     }
   }
+  for (const CoupledElement& element : links.coupled())
+    element.element->accept(links.memory().elements[element.index],
+                            std::span(described_.steps).subspan(element.first, element.count));
   troublesome_link_ = norm_.worst_link();
   if (equations_.springs.any() && !kept.springs_stay) equations_.ranges.read();
   ledger_.add_step(equations_, x, kept, described_.steps);
@@ -297,7 +321,7 @@ void Stepper::archive(Archive& archive) {
   contact_events_.archive(archive);
   equations_.supports.archive(archive);
   archive(longest_step_);
-  archive_memory(equations_.system, archive);
+  archive(equations_.links.memory());
   equations_.ranges.read();
   output_.forget();
 }

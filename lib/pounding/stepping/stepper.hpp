@@ -3,6 +3,7 @@
 /// of PETSc; see StepController for the order of these calls.
 
 #include <Eigen/Core>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -129,6 +130,10 @@ class Stepper {
   const Eigen::MatrixXd& spring_paths() const { return history_.kept().spring_paths; }
   /// Forces of all links at the present state [N].
   const Eigen::VectorXd& link_forces() const { return history_.now().force; }
+  /// Memories of contacts and elements at the present state.
+  const LinkMemory& memory() const { return equations_.links.memory(); }
+  /// Links, with the memory of each.
+  const LinkSet& links() const { return equations_.links; }
   /// Motion of a link at the present state.
   LinkMotion link_motion(int link) const { return equations_.links.motion(link, history_.now()); }
   Energies energies() const { return ledger_.energies(equations_, history_.now()); }
@@ -183,6 +188,8 @@ class Stepper {
     return equations_.solver.prefers_dyadic_steps() ? dyadic_.level(h) : std::nullopt;
   }
   bool solve_trial();
+  void start_elements(const std::function<LinkMotion(int)>& motion_of);
+  void load_elements(const Eigen::VectorXd& rest, const std::function<LinkMotion(int)>& motion_of);
   void describe(int link, LinkStep& step) const;
   void describe_springs() const;
   void apply_located(bool in_place);

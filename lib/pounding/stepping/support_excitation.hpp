@@ -42,7 +42,7 @@ class SupportExcitation {
   }
 
   /// P ag for ground accelerations; overwritten by the next call.
-  const Eigen::VectorXd& push(const Eigen::VectorXd& ground) const {
+  const Eigen::VectorXd& push(const Eigen::VectorXd& ground) {
     // The loops store with the width of the reads that follow: a wider read of freshly stored values would stall.
     const Eigen::MatrixXd& load = solver_.load();
     const int n = solver_.size();
@@ -103,7 +103,7 @@ class SupportExcitation {
  private:
   const System& system_;
   const StructureSolver& solver_;
-  mutable Eigen::VectorXd push_;
+  Eigen::VectorXd push_;
   double first_break_ = 0, next_break_ = 0;  // equal up to round-off
 };
 

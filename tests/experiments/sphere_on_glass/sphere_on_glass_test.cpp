@@ -64,7 +64,7 @@ Rebound strike(double degrees, Compliance compliance) {
   const double angle = degrees * pi / 180, vn = speed * std::cos(angle), vt = speed * std::sin(angle);
   const ContactLaw law(laws::Settings{
       .law = "hertz_damped", .formula = "", .restitution = restitution, .values = {{"stiffness", hertz()}}});
-  const std::unique_ptr<Contact> contact = law.make(mass(), 1e-7, 0, {}).contact;
+  const std::shared_ptr<const Contact> contact = law.make(mass(), 1e-7, 0, {}).contact;
   System system;
   system.mass = test::diagonal({mass(), mass(), 0.4 * mass() * radius * radius});
   system.stiffness = SparseMatrix(3, 3);

@@ -88,7 +88,7 @@ std::string names_of(const Model& model, const std::vector<int>& structures) {
 }
 
 // Stiffness of a device at rest; zero for a damper, in slow motion, and for a slack cable.
-double first_stiffness(const Device& device) { return device.member->evaluate_slowly(0).by_penetration; }
+double first_stiffness(const Device& device) { return LoadedSpring(*device.member).evaluate_slowly(0).by_penetration; }
 
 // Motion of an end along the device in terms of the unknowns of all joined structures, from this one on.
 void add_motion(const LinkEnd& end, const Eigen::Vector3d& direction, int first, Eigen::SparseVector<double>& row) {
@@ -130,7 +130,7 @@ void Model::connect(const std::string& name, const ContactLocation& left, const 
     mass = std::max(mass, against(s->mass, row));
   }
   require_digits(device.parts, stiffness, mass);
-  device.member = std::make_unique<DeviceSpring>(device.parts);
+  device.member = std::make_shared<const DeviceSpring>(device.parts);
   devices.push_back(std::move(device));
 }
 

@@ -87,7 +87,7 @@ void refuse_yield(const Structure& s) {
   for (const YieldingPart& part : s.yielding) {
     if (part.is_device()) continue;  // undeformed
     const double strained = part.at_rest + part.deformation.dot(s.preload_displacement);
-    if (const auto yield = yields_before(*part.spring, strained))
+    if (const auto yield = yields_before(part, strained))
       refuse_preload(fmt::format("deforms {} of {} by {}, but it yields at {}; give less", part.name, s.name,
                                  deformation_text(s, part, strained), deformation_text(s, part, *yield)));
   }
@@ -137,7 +137,9 @@ void press_preloaded(std::vector<Structure>& structures, std::vector<Link>& link
                       "negative, or none",
                       link.name, format_quantity(-penetration[i], dimension::length)));
     try {
-      link.contact->press(penetration[i]);
+      ContactMemory memory = link.contact->initial();
+      link.contact->press(memory, penetration[i]);  // throws for a contact that cannot start closed
+      link.pressed = penetration[i];
     } catch (const std::invalid_argument& error) {
       refuse_preload(fmt::format("{}: {}", link.name, error.what()));
     }

@@ -24,19 +24,15 @@ using Eigen::VectorXd;
 class StrainedParts {
  public:
   explicit StrainedParts(const Structure& s) : structure_(s) {
-    for (std::size_t i = 0; i < s.yielding.size(); ++i) {
-      const YieldingPart& part = s.yielding[i];
-      Archive fresh(part.fresh);
-      part.spring->archive(fresh);
-      if (!part.is_device()) parts_.push_back(static_cast<int>(i));
-    }
+    for (std::size_t i = 0; i < s.yielding.size(); ++i)
+      if (!s.yielding[i].is_device()) parts_.push_back(static_cast<int>(i));
     at_rest_.resize(size());
     stiffness_.resize(size());
     for (Eigen::Index j = 0; j < size(); ++j) {
       const YieldingPart& part = s.yielding[static_cast<std::size_t>(parts_[j])];
-      springs_.push_back(part.spring.get());
+      springs_.emplace_back(part.spring());
       at_rest_[j] = part.at_rest;
-      stiffness_[j] = part.spring->stiffness();
+      stiffness_[j] = part.stiffness();
     }
   }
 
@@ -60,8 +56,8 @@ class StrainedParts {
     return MatrixXd(structure_.yielding_flexibility)(parts_, parts_);
   }
   // Advances the springs to these deformations.
-  void start(const VectorXd& deformations) const {
-    for (Eigen::Index j = 0; j < size(); ++j) springs_[static_cast<std::size_t>(j)]->start({deformations[j], 0});
+  void start(const VectorXd& deformations) {
+    for (Eigen::Index j = 0; j < size(); ++j) springs_[static_cast<std::size_t>(j)].start({deformations[j], 0});
   }
 
   // Forces F of the parts and their deformations d = elastic - flexibility F. `load` is its name in the message.
@@ -96,7 +92,7 @@ class StrainedParts {
   std::pair<VectorXd, VectorXd> law(const VectorXd& deformations) const {
     std::pair<VectorXd, VectorXd> all{deformations, deformations};
     for (Eigen::Index j = 0; j < size(); ++j) {
-      const laws::Response r = springs_[static_cast<std::size_t>(j)]->evaluate({deformations[j], 0});
+      const laws::Response r = springs_[static_cast<std::size_t>(j)].evaluate({deformations[j], 0});
       all.first[j] = r.force, all.second[j] = r.by_penetration;
     }
     return all;
@@ -104,7 +100,7 @@ class StrainedParts {
 
   const Structure& structure_;
   std::vector<int> parts_;
-  std::vector<Spring*> springs_;
+  std::vector<LoadedSpring> springs_;
   VectorXd at_rest_, stiffness_;
 };
 
@@ -138,7 +134,7 @@ VectorXd deformations_at_rest(const Structure& s) {
 
 VectorXd yielding_while_held(const Structure& s, const VectorXd& elastic_shape, const std::vector<Row>& held) {
   const VectorXd none = VectorXd::Zero(s.size());
-  const StrainedParts parts(s);
+  StrainedParts parts(s);
   if (parts.size() == 0) return none;
   const Rest rest = rest_of(parts, s);
   const VectorXd gravity = rest.displacement.size() > 0 ? rest.displacement : none;
@@ -160,7 +156,6 @@ VectorXd yielding_while_held(const Structure& s, const VectorXd& elastic_shape, 
         parts.solve(elastic, columns.transpose() * by_parts_held + parts.flexibility(), "the initial displacement");
     yielded = carried - by_parts_held * found.forces - gravity;
   }
-  const StrainedParts reset(s);
   return yielded;
 }
 

@@ -7,16 +7,16 @@ namespace pounding {
 void ContactEvents::apply(const std::vector<EventId>& events, bool in_place, Instant& now) {
   std::vector<int> rigid;
   for (const EventId& event : events) {
-    Contact& contact = links_.contact(event.link);
+    const Contact& contact = links_.contact(event.link);
     const LinkMotion here = links_.motion(event.link, now);
-    const bool touches = contact.phase() == ContactPhase::open;
+    const bool touches = links_.phase(event.link) == ContactPhase::open;
     ++count_;
     if (touches && contact.is_rigid()) {
       rigid.push_back(event.link);
       continue;
     }
     if (touches) norm_.begin_impact(event.link, here.rate);
-    contact.on_event(event.event, now.time, here);
+    contact.on_event(links_.of_contact(event.link), event.event, now.time, here);
   }
   if (!rigid.empty()) {
     strike(rigid, in_place, now);
@@ -28,15 +28,14 @@ void ContactEvents::apply(const std::vector<EventId>& events, bool in_place, Ins
 // A velocity jump may end the phase of any active compliant contact on the same bodies.
 void ContactEvents::settle(const Instant& now) {
   for (int i = 0; i < links_.contacts(); ++i) {
-    Contact& contact = links_.contact(i);
     const LinkMotion here = links_.motion(i, now);
     // At most two changes: from a reversal to a release or to the separation.
     for (int change = 0; change < 2; ++change) {
-      if (contact.phase() == ContactPhase::open || links_.is_held(i)) break;
+      if (links_.phase(i) == ContactPhase::open || links_.is_held(i)) break;
       const Contact::EventFunctions values = functions_.values(i, here, now.force[i]);
       for (int k = 0; k < Contact::max_event_functions; ++k) {
         if (!functions_.has_ended({i, k}, values[k], here, now)) continue;
-        contact.on_event(k, now.time, here);
+        links_.contact(i).on_event(links_.of_contact(i), k, now.time, here);
         break;
       }
     }
@@ -80,8 +79,8 @@ void ContactEvents::strike(const std::vector<int>& touching, bool in_place, Inst
     now.motion.col(Instant::v) -= impulse * equations_.rigid.response.col(i);
     ledger_.add_impulse(impulse, links_.ground_part(now.by_ground, i, Instant::v));
     links_.contact(i).jumped(
-        now.time, {std::max(0.0, impulse), result.work[k], strikes.rate[k], rate, links_.motion(i, now).penetration},
-        stays);
+        links_.of_contact(i), now.time,
+        {std::max(0.0, impulse), result.work[k], strikes.rate[k], rate, links_.motion(i, now).penetration}, stays);
   }
 }
 

@@ -15,7 +15,7 @@ class ContactEvents {
  public:
   /// All arguments must outlive this object. `tolerance`: bounces below this fraction of the velocity scale are not
   /// resolved.
-  ContactEvents(const Equations& equations, const EventFunctions& functions, ErrorNorm& norm, EnergyLedger& ledger,
+  ContactEvents(Equations& equations, const EventFunctions& functions, ErrorNorm& norm, EnergyLedger& ledger,
                 double tolerance)
       : equations_(equations),
         links_(equations.links),
@@ -36,7 +36,7 @@ class ContactEvents {
   void settle(const Instant& now);
 
   const Equations& equations_;
-  const LinkSet& links_;
+  LinkSet& links_;
   const EventFunctions& functions_;
   ErrorNorm& norm_;
   EnergyLedger& ledger_;

@@ -7,18 +7,19 @@
 
 namespace pounding {
 
-// True for springs only, none of which is stiffer than its linear stiffness or has a dashpot.
+// True for springs only, none of which is coupled, stiffer than its linear stiffness or has a dashpot.
 bool LinkSolver::is_symmetric(const CondensedLinks& links) const {
-  return links.active.front() >= links_.contacts() && links.active.back() < links_.frictions_from() &&
-         by_rate_.isZero(0) && by_penetration_.maxCoeff() <= 0;
+  return coupled_.empty() && links.active.front() >= links_.contacts() &&
+         links.active.back() < links_.frictions_from() && by_rate_.isZero(0) && by_penetration_.maxCoeff() <= 0;
 }
 
-// Rows of slopes_ except for friction, from the slopes of the last residual() call that computed them.
+// Rows of slopes_ except for friction and coupled elements, from the slopes of the last residual() call that computed
+// them.
 void LinkSolver::find_slopes(const CondensedLinks& links) {
   const Eigen::MatrixXd& g = links.flexibility;
   const double by_u = links.by_u * links.weight, by_v = links.by_v * links.weight;
   slopes_.resize(g.rows(), g.cols());
-  for (int i = 0; i < plain_; ++i) {
+  for (const int i : scalars_) {
     if (links_.is_held(links.active[i])) {
       slopes_.row(i) = g.row(i) / g(i, i);
       continue;
@@ -49,7 +50,8 @@ bool LinkSolver::eliminates_springs(const CondensedLinks& links) {
   others_.clear();
   slopes_of_springs_.setZero(by_penetration_.size());
   for (int k = 0; k < by_penetration_.size(); ++k) {
-    if (!links_.is_spring(links.active[k]) || by_rate_[k] != 0 || by_penetration_[k] > 0) {
+    if (!links_.is_spring(links.active[k]) || links_.is_coupled(links.active[k]) || by_rate_[k] != 0 ||
+        by_penetration_[k] > 0) {
       others_.push_back(k);
       continue;
     }
@@ -67,7 +69,9 @@ bool LinkSolver::eliminates_springs(const CondensedLinks& links) {
 // the step is positive definite; then steps that reduce this slope converge to the unique solution.
 bool LinkSolver::descend(const CondensedLinks& links, Eigen::VectorXd& f) {
   const auto held = [this](int link) { return links_.is_held(link); };
-  if (plain_ != f.size() || std::any_of(links.active.begin(), links.active.end(), held)) return false;
+  if (static_cast<Eigen::Index>(scalars_.size()) != f.size() ||
+      std::any_of(links.active.begin(), links.active.end(), held))
+    return false;
   Eigen::VectorXd relief = links.by_u * links.weight * (links.flexibility * direction_);
   if (links.relief) relief += *links.relief * direction_;
   residual(links, f, false);

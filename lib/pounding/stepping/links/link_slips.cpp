@@ -8,7 +8,7 @@ namespace pounding {
 LinkSlips::LinkSlips(const LinkSet& links)
     : links_(links), is_slipping_(static_cast<std::size_t>(links.size() - links.contacts()), false) {
   for (int i = 0; i < links.springs(); ++i)
-    if (links.spring(links.contacts() + i).slips()) {
+    if (!links.is_coupled(links.contacts() + i) && links.spring(links.contacts() + i).slips()) {
       is_slipping_[i] = true;
       slipping_.push_back(i);
       springs_.push_back(i);
@@ -41,7 +41,7 @@ void LinkSlips::start(Instant& x) const {
 
 void LinkSlips::release(Instant& x) const {
   for (const Friction* friction : frictions_) {
-    if (links_.contact(friction->contact).phase() != ContactPhase::open) continue;
+    if (links_.phase(friction->contact) != ContactPhase::open) continue;
     for (int j = 0; j < friction->count; ++j) {
       x.slip[index(*friction, j)] = links_.motion(friction->first + j, x).penetration;
       x.friction_slip_rate[index(*friction, j)] = 0;

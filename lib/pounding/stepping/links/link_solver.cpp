@@ -3,6 +3,7 @@
 #include <Eigen/LU>
 #include <Eigen/QR>
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace pounding {
@@ -97,8 +98,13 @@ bool LinkSolver::solve_one(const CondensedLinks& links, int k, double others, do
   return false;
 }
 
-void LinkSolver::find_sliders(const CondensedLinks& links) {
+void LinkSolver::find_blocks(const CondensedLinks& links) {
   sliders_.clear();
+  coupled_.clear();
+  scalars_.clear();
+  const int count = static_cast<int>(links.active.size());
+  for (int k = 0; k < count && links.active[k] < links_.frictions_from(); ++k)
+    if (!links_.is_coupled(links.active[k])) scalars_.push_back(k);
   const auto index = [&](int link) {
     return static_cast<int>(std::lower_bound(links.active.begin(), links.active.end(), link) - links.active.begin());
   };
@@ -106,6 +112,38 @@ void LinkSolver::find_sliders(const CondensedLinks& links) {
   for (const Friction& friction : links_.frictions())
     if (std::binary_search(links.active.begin(), links.active.end(), friction.contact))
       sliders_.push_back({&friction, index(friction.contact), index(friction.first)});
+  for (const CoupledElement& element : links_.coupled())
+    if (std::binary_search(links.active.begin(), links.active.end(), element.first))
+      coupled_.push_back({&element, index(element.first)});
+}
+
+// Response of an element if the forces reduce the closing accelerations by `relief` times the weight and the
+// deformations by `at_once`.
+ElementResponse LinkSolver::deform(const CondensedLinks& links, const Coupled& coupled, const Eigen::VectorXd& relief,
+                                   const Eigen::VectorXd& at_once) const {
+  const double by_u = links.by_u * links.weight, by_v = links.by_v * links.weight;
+  std::array<LinkMotion, max_deformations> motions;
+  for (int j = 0; j < coupled.element->count; ++j) {
+    const int k = coupled.first + j;
+    motions[j] = relieved(links.free[k], by_u * relief[k] + (links.relief ? at_once[k] : 0), by_v * relief[k]);
+  }
+  return links_.law(*coupled.element, std::span(motions).first(static_cast<std::size_t>(coupled.element->count)));
+}
+
+// Rows of slopes_ for an element, from its last response.
+void LinkSolver::find_rows(const CondensedLinks& links, const Coupled& coupled) {
+  const double by_u = links.by_u * links.weight, by_v = links.by_v * links.weight;
+  for (int j = 0; j < coupled.element->count; ++j) {
+    auto row = slopes_.row(coupled.first + j);
+    row.setZero();
+    for (int k = 0; k < coupled.element->count; ++k) {
+      const int other = coupled.first + k;
+      const double by_deformation = coupled.response.by_deformation[j][k];
+      row += (by_u * by_deformation + by_v * coupled.response.by_rate[j][k]) * links.flexibility.row(other);
+      if (links.relief) row += by_deformation * links.relief->row(other);
+    }
+    row[coupled.first + j] += 1;
+  }
 }
 
 // Response of a friction element if the forces reduce the closing accelerations by `relief` times the weight.
@@ -123,15 +161,19 @@ FrictionForce LinkSolver::slide(const CondensedLinks& links, const Slider& slide
   return links_.friction(*slider.friction, contact, links_.law(links.active[slider.contact], contact), along);
 }
 
-// Solves the directions of a friction element in turn by bisection, with all other forces fixed.
-bool LinkSolver::solve_slider(const CondensedLinks& links, const Slider& slider, Eigen::VectorXd& forces) {
-  Eigen::VectorXd relief = links.flexibility * forces;
-  for (int j = 0; j < slider.friction->count; ++j) {
-    const int own = slider.first + j;
-    const Eigen::VectorXd others = relief - forces[own] * links.flexibility.col(own);
+template <class ForceOf>
+bool LinkSolver::solve_block(const CondensedLinks& links, int first, int count, Eigen::VectorXd& forces,
+                             ForceOf&& force_of) {
+  Eigen::VectorXd relief = links.flexibility * forces, at_once;
+  if (links.relief) at_once = *links.relief * forces;
+  for (int j = 0; j < count; ++j) {
+    const int own = first + j;
+    Eigen::VectorXd trial = relief, trial_at_once = at_once;
     const auto residual_at = [&](double f) {
       ++iterations_;
-      return slide(links, slider, others + f * links.flexibility.col(own)).force[j] - f;
+      trial = relief + (f - forces[own]) * links.flexibility.col(own);
+      if (links.relief) trial_at_once = at_once + (f - forces[own]) * links.relief->col(own);
+      return force_of(j, trial, trial_at_once) - f;
     };
     const double unrelieved = residual_at(0);
     double low = std::min(0.0, unrelieved), high = std::max(0.0, unrelieved);
@@ -142,9 +184,12 @@ bool LinkSolver::solve_slider(const CondensedLinks& links, const Slider& slider,
       if (middle == low || middle == high) break;
       (residual_at(middle) > 0 ? low : high) = middle;
     }
-    forces[own] = 0.5 * (low + high);
-    if (!std::isfinite(forces[own])) return false;
-    relief = others + forces[own] * links.flexibility.col(own);
+    const double found = 0.5 * (low + high);
+    if (!std::isfinite(found)) return false;
+    residual_at(found);
+    relief = trial;
+    at_once = trial_at_once;
+    forces[own] = found;
   }
   return true;
 }
@@ -161,7 +206,7 @@ double LinkSolver::residual(const CondensedLinks& links, const Eigen::VectorXd& 
   else
     relief_.noalias() = g * x;
   if (links.relief) relief_at_once_.noalias() = *links.relief * x;
-  for (int i = 0; i < plain_; ++i) {
+  for (const int i : scalars_) {
     if (links_.is_held(links.active[i])) {
       residual_[i] = (links.free_acceleration[i] / links.weight - relief_[i]) / g(i, i);
       continue;
@@ -177,6 +222,19 @@ double LinkSolver::residual(const CondensedLinks& links, const Eigen::VectorXd& 
     if (!with_slopes) continue;
     by_penetration_[i] = answer.by_penetration;
     by_rate_[i] = answer.by_rate;
+  }
+  for (Coupled& coupled : coupled_) {
+    coupled.response = deform(links, coupled, relief_, relief_at_once_);
+    for (int j = 0; j < coupled.element->count; ++j) {
+      const int i = coupled.first + j;
+      residual_[i] = coupled.response.force[j] - x[i];
+      terms_ = std::max(terms_, std::abs(coupled.element->element->stiffness(j) * links.free[i].penetration));
+      for (int k = 0; k < coupled.element->count; ++k)
+        terms_ = std::max({terms_,
+                           std::abs(coupled.response.by_deformation[j][k] * links.free[coupled.first + k].penetration),
+                           std::abs(coupled.response.by_rate[j][k] * links.free[coupled.first + k].rate)});
+    }
+    if (with_slopes) find_rows(links, coupled);
   }
   for (const Slider& slider : sliders_) {
     const FrictionForce answer = slide(links, slider, relief_);
@@ -212,7 +270,7 @@ double LinkSolver::rounding(const CondensedLinks& links, const Eigen::VectorXd& 
   else
     sizes_ = links.flexibility.cwiseAbs() * x.cwiseAbs();
   double largest = 0;
-  for (int i = 0; i < plain_; ++i)
+  for (const int i : scalars_)
     largest =
         std::max(largest, std::abs(by_penetration_[i]) * (std::abs(links.free[i].penetration) + by_u * sizes_[i]) +
                               std::abs(by_rate_[i]) * (std::abs(links.free[i].rate) + by_v * sizes_[i]));
@@ -223,13 +281,21 @@ double LinkSolver::rounding(const CondensedLinks& links, const Eigen::VectorXd& 
 // force increases with penetration and rate.
 bool LinkSolver::sweep(const CondensedLinks& links, Eigen::VectorXd& x) {
   const Eigen::MatrixXd& g = links.flexibility;
-  for (int i = 0; i < plain_; ++i) {
+  for (const int i : scalars_) {
     const double others = g.row(i).dot(x) - g(i, i) * x[i];
     const double relief = links.relief ? links.relief->row(i).dot(x) - (*links.relief)(i, i) * x[i] : 0;
     if (!solve_one(links, i, others, relief, x[i])) return false;
   }
+  for (const Coupled& coupled : coupled_)
+    if (!solve_block(links, coupled.first, coupled.element->count, x,
+                     [&](int j, const auto& relief, const auto& at_once) {
+                       return deform(links, coupled, relief, at_once).force[j];
+                     }))
+      return false;
   for (const Slider& slider : sliders_)
-    if (!solve_slider(links, slider, x)) return false;
+    if (!solve_block(links, slider.first, slider.friction->count, x,
+                     [&](int j, const auto& relief, const auto&) { return slide(links, slider, relief).force[j]; }))
+      return false;
   return true;
 }
 
@@ -240,13 +306,12 @@ bool LinkSolver::solve_many(const CondensedLinks& links, Eigen::VectorXd& f) {
     room->resize(count);
   by_penetration_.setZero();
   by_rate_.setZero();
-  plain_ = static_cast<int>(std::lower_bound(links.active.begin(), links.active.end(), links_.frictions_from()) -
-                            links.active.begin());
-  if (!links_.frictions().empty()) find_sliders(links);
+  find_blocks(links);
   // The shares of held contacts between the same bodies are indeterminate; the slopes are then singular.
   const auto held =
       std::count_if(links.active.begin(), links.active.end(), [this](int link) { return links_.is_held(link); });
-  const bool many = count >= LinkBlocks::many && links.blocks && held == 0 && plain_ == count && !links.relief;
+  const bool many =
+      count >= LinkBlocks::many && links.blocks && held == 0 && sliders_.empty() && coupled_.empty() && !links.relief;
   if (!many) slopes_.resize(count, count);
   bool descends = false;
   for (int iteration = 0; iteration < 500; ++iteration) {

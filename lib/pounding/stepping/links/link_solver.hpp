@@ -53,6 +53,12 @@ class LinkSolver {
     const Friction* friction = nullptr;
     int contact = 0, first = 0;
   };
+  // An active element with several deformations, and its response in the last residual().
+  struct Coupled {
+    const CoupledElement* element = nullptr;
+    int first = 0;
+    ElementResponse response{};
+  };
 
   bool solve_one(const CondensedLinks& links, int k, double others, double others_relief, double& force);
   bool solve_many(const CondensedLinks& links, Eigen::VectorXd& force);
@@ -64,16 +70,23 @@ class LinkSolver {
   bool eliminates_springs(const CondensedLinks& links);
   bool descend(const CondensedLinks& links, Eigen::VectorXd& force);
   bool sweep(const CondensedLinks& links, Eigen::VectorXd& force);
-  void find_sliders(const CondensedLinks& links);
+  void find_blocks(const CondensedLinks& links);
+  ElementResponse deform(const CondensedLinks& links, const Coupled& coupled, const Eigen::VectorXd& relief,
+                         const Eigen::VectorXd& at_once) const;
+  void find_rows(const CondensedLinks& links, const Coupled& coupled);
+  // Solves the directions of a slider or coupled element in turn by bisection, with all other forces fixed.
+  // `force_of`: force of a direction from G F and S F.
+  template <class ForceOf>
+  bool solve_block(const CondensedLinks& links, int first, int count, Eigen::VectorXd& forces, ForceOf&& force_of);
   FrictionForce slide(const CondensedLinks& links, const Slider& slider, const Eigen::VectorXd& relief) const;
-  bool solve_slider(const CondensedLinks& links, const Slider& slider, Eigen::VectorXd& forces);
 
   const LinkSet& links_;
   int failed_ = -1;
   long iterations_ = 0;
   // Workspace of the current solve_many().
   std::vector<Slider> sliders_;
-  int plain_ = 0;                                       // number of active links before the first friction direction
+  std::vector<Coupled> coupled_;
+  std::vector<int> scalars_;                            // active links whose force depends on their own motion only
   double terms_ = 0;                                    // magnitude of the terms of the last residual [N]
   Eigen::VectorXd residual_, relief_, relief_at_once_;  // the last two: G F and S F
   Eigen::VectorXd sizes_;                               // |G| |F|

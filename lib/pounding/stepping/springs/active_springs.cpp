@@ -15,6 +15,10 @@ void ActiveSprings::begin(const Instant& now, double h) {
   rests_ = -1;
   constant_.resize(static_cast<std::size_t>(count));
   for (int i = 0; i < count; ++i) {
+    if (links_.is_coupled(first + i)) {
+      is_active_[i] = true;
+      continue;
+    }
     const LinkMotion here = links_.motion(first + i, now);
     const laws::Response answer = links_.law(first + i, here);
     constant_[i] = answer.force;

@@ -16,7 +16,7 @@ class ActiveSprings {
  public:
   /// Both arguments must outlive this object. Without relief, all springs are always active: such springs are the few
   /// storeys of shear buildings.
-  ActiveSprings(const LinkSet& links, const ElasticRanges& ranges)
+  ActiveSprings(const LinkSet& links, ElasticRanges& ranges)
       : links_(links),
         ranges_(ranges),
         is_active_(static_cast<std::size_t>(links.springs()), !links.relief().any()),
@@ -42,7 +42,7 @@ class ActiveSprings {
   void hold();
 
   const LinkSet& links_;
-  const ElasticRanges& ranges_;
+  ElasticRanges& ranges_;
   long rests_ = -1;  // version of the ranges in which all springs rest; negative if any spring is active
   std::vector<bool> is_active_;
   std::vector<double> constant_;  // force of each spring at the beginning of the trial

@@ -14,9 +14,10 @@ ElasticRanges::ElasticRanges(const LinkSet& links) : links_(links) {
 
 void ElasticRanges::read() {
   ++version_;
-  all_ = links_.relief().any() && !links_.driven();
+  all_ = links_.relief().any() && !links_.driven() && links_.coupled().empty();
   for (int i = 0; i < links_.springs() && all_; ++i) {
-    const std::optional<Spring::Elastic> range = links_.spring(links_.contacts() + i).elastic();
+    const std::optional<Spring::Elastic> range =
+        links_.spring(links_.contacts() + i).elastic(links_.of_spring(links_.contacts() + i));
     all_ = range.has_value();
     if (!all_) break;
     low_[i] = range->low;
@@ -25,7 +26,7 @@ void ElasticRanges::read() {
   }
 }
 
-bool ElasticRanges::hold(const Instant& now, double ahead) const {
+bool ElasticRanges::hold(const Instant& now, double ahead) {
   if (!all_) return false;
   const double *const v0 = of_springs(now.relative, v), *const low = low_.data(), *const high = high_.data();
   room_.resize(low_.size());

@@ -24,7 +24,7 @@ class ElasticRanges {
   const Eigen::VectorXd& forces() const { return forces_; }
 
   /// True if all springs are in their ranges at `now` and, at their present rates, `ahead` seconds later.
-  bool hold(const Instant& now, double ahead) const;
+  bool hold(const Instant& now, double ahead);
   /// True if all springs have the forces of their ranges at both ends of a trial and the cubics through their motions
   /// stay inside the ranges. Sets Trial::spring_paths.
   bool stay(const Instant& begin, Trial& trial) const;
@@ -40,7 +40,7 @@ class ElasticRanges {
   bool all_ = false;  // every spring has a range
   long version_ = 0;
   Eigen::VectorXd low_, high_, forces_;
-  mutable Eigen::VectorXd room_;  // workspace
+  Eigen::VectorXd room_;  // workspace
 };
 
 }  // namespace pounding

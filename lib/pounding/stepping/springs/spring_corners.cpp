@@ -19,18 +19,19 @@ constexpr double min_jump = 1e-6;
 
 // True if a spring has zero slope over the whole range of the cubic between two motions. The cubic stays within a third
 // of the step times the rates from its ends, and all deformations between two elastic ones are elastic.
-bool stays_elastic(const Spring& spring, const LinkMotion& begin, const LinkMotion& end, double h) {
+bool stays_elastic(const Spring& spring, ConstElementMemory memory, const LinkMotion& begin, const LinkMotion& end,
+                   double h) {
   const double third = h / 3 * std::max(std::abs(begin.rate), std::abs(end.rate));
-  const laws::Response low = spring.evaluate({std::min(begin.penetration, end.penetration) - third, 0});
-  const laws::Response high = spring.evaluate({std::max(begin.penetration, end.penetration) + third, 0});
+  const laws::Response low = spring.evaluate(memory, {std::min(begin.penetration, end.penetration) - third, 0});
+  const laws::Response high = spring.evaluate(memory, {std::max(begin.penetration, end.penetration) + third, 0});
   return low.by_penetration == 0 && high.by_penetration == 0 && low.force == high.force;
 }
 
 // Fraction (0 to 1) at the first corner of one spring between two motions. `near`: a corner within this distance of an
 // end counts as being at that end.
-std::optional<double> corner(const Spring& spring, const LinkMotion& begin, const LinkMotion& end, double h,
-                             double near) {
-  if (stays_elastic(spring, begin, end, h)) return std::nullopt;
+std::optional<double> corner(const Spring& spring, ConstElementMemory memory, const LinkMotion& begin,
+                             const LinkMotion& end, double h, double near) {
+  if (stays_elastic(spring, memory, begin, end, h)) return std::nullopt;
   const CubicPenetration between(begin, end, h);
   const double turn = begin.rate * end.rate < 0 ? std::clamp(between.turn(), 0.0, 1.0) : 1.0;
   const auto inside = [near](double s) { return s > near && s < 1 - near; };
@@ -44,13 +45,13 @@ std::optional<double> corner(const Spring& spring, const LinkMotion& begin, cons
     return high;
   };
   const double turned = turn < 1 ? between.at(turn) : end.penetration;
-  if (const auto deformation = spring.corner(turned))
+  if (const auto deformation = spring.corner(memory, turned))
     if (const double s = onset(*deformation, 0, turn); inside(s)) return s;
   if (turn == 1) return std::nullopt;
   const bool turns_sharply =
-      std::abs(spring.slope_lost(turned)) > min_jump * (spring.stiffness() + spring.first_slope());
+      std::abs(spring.slope_lost(memory, turned)) > min_jump * (spring.stiffness() + spring.first_slope());
   if (turns_sharply) return inside(turn) ? std::optional(turn) : std::nullopt;
-  if (const auto deformation = spring.corner(end.penetration))
+  if (const auto deformation = spring.corner(memory, end.penetration))
     if (const double s = onset(*deformation, turn, 1); inside(s)) return s;
   return std::nullopt;
 }
@@ -67,14 +68,15 @@ std::optional<double> SpringCorners::first(const Instant& now, const Trial& tria
   const double near = springs_.any() ? std::max(corner_part, shortest_to_corner * longest_step / trial.h) : corner_part;
   std::optional<double> first;
   for (int i = links_.contacts(); i < links_.frictions_from(); ++i) {
-    if (!links_.spring(i).has_corners()) continue;
+    if (links_.is_coupled(i) || !links_.spring(i).has_corners()) continue;
     const std::size_t k = i - links_.contacts();
     const LinkMotion from = bends ? begin[k] : links_.motion(i, now), to = bends ? end[k] : links_.motion(i, trial.end);
     const Spring& spring = links_.spring(i);
     const std::optional<double> s =
         spring.bends_with_rate()
-            ? spring.bend({links_.jet(i, now), links_.jet(i, trial.end), trial.h}, near_bend * longest_step / trial.h)
-            : corner(spring, from, to, trial.h, near);
+            ? spring.bend(links_.of_spring(i), {links_.jet(i, now), links_.jet(i, trial.end), trial.h},
+                          near_bend * longest_step / trial.h)
+            : corner(spring, links_.of_spring(i), from, to, trial.h, near);
     if (s && (!first || *s < *first)) first = s;
   }
   return first;

@@ -12,7 +12,7 @@ namespace pounding {
 class SpringCorners {
  public:
   /// Both arguments must outlive this object.
-  SpringCorners(const SpringForces& springs, const LinkSet& links) : springs_(springs), links_(links) {}
+  SpringCorners(SpringForces& springs, const LinkSet& links) : springs_(springs), links_(links) {}
 
   /// Fraction (0 to 1) of the solved step `trial` from `now` at the first spring corner well inside it, on the cubic
   /// through the motions at both ends; `nullopt` if there is none. With relief, the force of one spring bends the path
@@ -21,7 +21,7 @@ class SpringCorners {
   std::optional<double> first(const Instant& now, const Trial& trial, double longest_step) const;
 
  private:
-  const SpringForces& springs_;
+  SpringForces& springs_;
   const LinkSet& links_;
 };
 

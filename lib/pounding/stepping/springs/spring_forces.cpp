@@ -26,18 +26,27 @@ Eigen::MatrixXd relief_among(const SparseMatrix& s, std::span<const int> springs
   return part;
 }
 
-bool SpringForces::settle(std::vector<LinkMotion>& motions, Eigen::VectorXd& force) const {
+SpringForces::SpringForces(const LinkSet& links) : links_(links), any_(links.relief().any()), solver_(links) {
+  for (const CoupledElement& element : links.coupled()) width_ = std::max(width_, element.count);
+}
+
+bool SpringForces::settle(std::vector<LinkMotion>& motions, Eigen::VectorXd& force) {
   const int first = links_.contacts(), count = links_.springs();
   const SparseMatrix& s = links_.relief().flexibility();
   std::vector<bool> is_active(static_cast<std::size_t>(count), false);
   active_.clear();
   const auto gives_way = [&](int i) { return s.outerIndexPtr()[i + 1] > s.outerIndexPtr()[i]; };
   for (int i = 0; i < count; ++i)
-    if (!gives_way(i)) force[first + i] = links_.law(first + i, motions[first + i]).force;
-  for (;;) {
+    if (!gives_way(i) && !links_.is_coupled(first + i))
+      force[first + i] = links_.law(first + i, motions[first + i]).force;
+  for (const CoupledElement& element : links_.coupled())
+    for (int j = 0; j < element.count; ++j) {
+      is_active[element.first + j - first] = true;
+      active_.push_back(element.first + j);
+    }
+  for (std::size_t known = 0;; known = active_.size()) {
     relief_.setZero(count);
     links_.relief().add_relief(1, force.segment(first, count), relief_);
-    const std::size_t known = active_.size();
     for (int i = 0; i < count; ++i) {
       if (is_active[i] || !gives_way(i)) continue;
       const LinkMotion& free = motions[first + i];
@@ -53,7 +62,7 @@ bool SpringForces::settle(std::vector<LinkMotion>& motions, Eigen::VectorXd& for
   return true;
 }
 
-void SpringForces::set_no_flexibility(Eigen::Index count) const {
+void SpringForces::set_no_flexibility(Eigen::Index count) {
   zero_.resize(count, count);
   none_.resize(count);
   zero_.setZero();
@@ -61,7 +70,7 @@ void SpringForces::set_no_flexibility(Eigen::Index count) const {
 }
 
 // Newton's method for the active springs with the forces of the others fixed; relief_ is S F.
-bool SpringForces::solve(const std::vector<LinkMotion>& motions, Eigen::VectorXd& force) const {
+bool SpringForces::solve(const std::vector<LinkMotion>& motions, Eigen::VectorXd& force) {
   const int first = links_.contacts(), count = static_cast<int>(active_.size());
   std::vector<int> springs;
   for (const int link : active_) springs.push_back(link - first);
@@ -87,23 +96,39 @@ void SpringForces::relieve(Instant& x) const {
   if (forces.cwiseAbs().sum() != 0) links_.relief().add_relief(1, forces, x.relief);
 }
 
-void SpringForces::slopes(const std::vector<LinkMotion>& motions, Eigen::VectorXd& slopes) const {
+void SpringForces::slopes(std::span<const LinkMotion> motions, int from, Eigen::MatrixXd& slopes) const {
   const int first = links_.contacts();
-  slopes.resize(links_.springs());
-  for (int i = 0; i < links_.springs(); ++i) slopes[i] = links_.law(first + i, motions[first + i]).by_penetration;
+  slopes.setZero(links_.springs(), width_);
+  for (int i = first; i < links_.frictions_from(); ++i)
+    if (!links_.is_coupled(i)) slopes(i - first, 0) = links_.law(i, motions[i - from]).by_penetration;
+  for (const CoupledElement& element : links_.coupled()) {
+    const ElementResponse answer = links_.law(element, motions.subspan(element.first - from, element.count));
+    for (int j = 0; j < element.count; ++j)
+      for (int k = 0; k < element.count; ++k) slopes(element.first + j - first, k) = answer.by_deformation[j][k];
+  }
 }
 
-void SpringForces::rates(const Eigen::VectorXd& slopes, Eigen::MatrixXd& of_springs) const {
+Eigen::MatrixXd SpringForces::force_rates(const Eigen::MatrixXd& slopes, const Eigen::MatrixXd& of_springs) const {
+  Eigen::MatrixXd rates = slopes.col(0).asDiagonal() * of_springs;
+  for (const CoupledElement& element : links_.coupled()) {
+    const int first = element.first - links_.contacts(), count = element.count;
+    rates.middleRows(first, count) = slopes.block(first, 0, count, count) * of_springs.middleRows(first, count);
+  }
+  return rates;
+}
+
+void SpringForces::rates(const Eigen::MatrixXd& slopes, Eigen::MatrixXd& of_springs) {
   const SparseMatrix& s = links_.relief().flexibility();
   soft_.clear();
-  for (int i = 0; i < slopes.size(); ++i)
-    if (slopes[i] != 0 && s.outerIndexPtr()[i + 1] > s.outerIndexPtr()[i]) soft_.push_back(i);
+  for (int i = 0; i < slopes.rows(); ++i)
+    if (!slopes.row(i).isZero(0) && s.outerIndexPtr()[i + 1] > s.outerIndexPtr()[i]) soft_.push_back(i);
   if (soft_.empty()) return;
+  if (!links_.coupled().empty()) return rates_of_coupled(slopes, of_springs);
   const auto count = static_cast<Eigen::Index>(soft_.size());
   flexibility_ = relief_among(s, soft_);
   right_.resize(count, of_springs.cols());
   for (Eigen::Index i = 0; i < count; ++i) right_.row(i) = of_springs.row(soft_[i]);
-  const Eigen::VectorXd own = slopes(soft_);
+  const Eigen::VectorXd own = slopes.col(0)(soft_);
   if (!answer_by_structure(own, right_)) {
     for (Eigen::Index i = 0; i < count; ++i) {
       flexibility_.col(i) *= own[i];
@@ -114,16 +139,24 @@ void SpringForces::rates(const Eigen::VectorXd& slopes, Eigen::MatrixXd& of_spri
     solved_ = lu_->solve(right_);
     right_ = own.asDiagonal() * solved_;
   }
-  change_.setZero(slopes.size());
+  change_.setZero(slopes.rows());
   for (Eigen::Index j = 0; j < of_springs.cols(); ++j) {
     for (Eigen::Index i = 0; i < count; ++i) change_[soft_[i]] = right_(i, j);
     links_.relief().add_relief(-1, change_, of_springs.col(j));
   }
 }
 
+// d' = (I + S phi')^-1 B^T v with all springs, for few of them.
+void SpringForces::rates_of_coupled(const Eigen::MatrixXd& slopes, Eigen::MatrixXd& of_springs) {
+  const auto count = slopes.rows();
+  const Eigen::MatrixXd by_forces = links_.relief().flexibility();
+  const Eigen::MatrixXd by_rates = force_rates(slopes, Eigen::MatrixXd::Identity(count, count));
+  of_springs = (Eigen::MatrixXd::Identity(count, count) + by_forces * by_rates).partialPivLu().solve(of_springs).eval();
+}
+
 // Rates of the forces of the springs soft_ from the rates of deformation without them, if there are many springs and
 // all of them yield.
-bool SpringForces::answer_by_structure(const Eigen::VectorXd& slopes, Eigen::MatrixXd& rates) const {
+bool SpringForces::answer_by_structure(const Eigen::VectorXd& slopes, Eigen::MatrixXd& rates) {
   if (slopes.size() < SoftSprings::min_by_structure || !(slopes.maxCoeff() < 0)) return false;
   set_no_flexibility(slopes.size());
   solved_ = rates;
@@ -134,7 +167,7 @@ bool SpringForces::answer_by_structure(const Eigen::VectorXd& slopes, Eigen::Mat
   return true;
 }
 
-void SpringForces::find_force_rates(Instant& x) const {
+void SpringForces::find_force_rates(Instant& x) {
   const int first = links_.contacts(), count = links_.springs();
   if (x.spring_slopes.isZero(0)) {
     x.force_rates.setZero(count, 2);
@@ -142,13 +175,13 @@ void SpringForces::find_force_rates(Instant& x) const {
   }
   Eigen::MatrixXd moving = x.relative.block(first, Instant::v, count, 2);
   rates(x.spring_slopes, moving);
-  x.force_rates = x.spring_slopes.asDiagonal() * moving;
+  x.force_rates = force_rates(x.spring_slopes, moving);
 }
 
-void SpringForces::find_rates(const Instant& begin, Trial& trial) const {
+void SpringForces::find_rates(const Instant& begin, Trial& trial) {
   const int first = links_.contacts(), count = links_.springs();
   Instant& end = trial.end;
-  slopes(trial.middle, end.spring_slopes);
+  slopes(trial.middle, 0, end.spring_slopes);
   trial.spring_rates.resize(count, 5);
   trial.spring_rates.leftCols(2) = begin.relative.block(first, Instant::v, count, 2);
   trial.spring_rates.rightCols(2) = end.relative.block(first, Instant::v, count, 2);
@@ -164,13 +197,13 @@ void SpringForces::find_rates(const Instant& begin, Trial& trial) const {
     return;
   }
   rates(end.spring_slopes, trial.spring_rates);
-  trial.force_rates_begin = end.spring_slopes.asDiagonal() * trial.spring_rates.leftCols(2);
-  end.force_rates = end.spring_slopes.asDiagonal() * trial.spring_rates.rightCols(2);
+  trial.force_rates_begin = force_rates(end.spring_slopes, trial.spring_rates.leftCols(2));
+  end.force_rates = force_rates(end.spring_slopes, trial.spring_rates.rightCols(2));
   for (int i = 0; i < count; ++i) trial.middle[first + i].rate = trial.spring_rates(i, 2);
 }
 
 void SpringForces::follow_first_slopes(const Instant& begin, const Trial& trial, std::vector<LinkMotion>& first,
-                                       std::vector<LinkMotion>& last) const {
+                                       std::vector<LinkMotion>& last) {
   const int from = links_.contacts(), count = links_.springs();
   first.resize(static_cast<std::size_t>(count));
   last.resize(first.size());
@@ -182,17 +215,19 @@ void SpringForces::follow_first_slopes(const Instant& begin, const Trial& trial,
     links_.without_relief(from + i, trial.end, end);
     free.row(i) << first[i].rate, end.penetration - start.penetration, end.rate;
   }
-  Eigen::VectorXd slopes = Eigen::VectorXd::Zero(count), before;
+  Eigen::MatrixXd found = Eigen::MatrixXd::Zero(count, width_), before;
+  std::vector<LinkMotion> behind(first.size());
   way = free;
   for (int branch = 0; branch < max_branches; ++branch) {
-    before = slopes;
+    before = found;
     for (int i = 0; i < count; ++i) {
       const double rate = way(i, 0) + 0.5 * just_behind * (way(i, 2) - way(i, 0));
-      slopes[i] = links_.law(from + i, {first[i].penetration + just_behind * trial.h * rate, rate}).by_penetration;
+      behind[i] = {first[i].penetration + just_behind * trial.h * rate, rate};
     }
-    if (slopes == before) break;
+    slopes(behind, from, found);
+    if (found == before) break;
     way = free;
-    rates(slopes, way);
+    rates(found, way);
   }
   for (int i = 0; i < count; ++i) {
     first[i].rate = way(i, 0);
