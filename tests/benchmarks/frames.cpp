@@ -327,7 +327,7 @@ double median(std::vector<double> values) {
 // contact.
 Eigen::VectorXd static_answer(const Pair& pair, StructureSolver& base) {
   base.set_matrix({0, 0, 1}, std::nullopt);
-  Eigen::VectorXd x = base.load().col(0);
+  Eigen::VectorXd x = base.layout().load.col(0);
   if (!base.solve(x)) throw SolverError("the static answer failed");
   Eigen::MatrixXd relative, g;
   base.gather(x, relative);
@@ -350,7 +350,7 @@ Eigen::VectorXd static_answer(const Pair& pair, StructureSolver& base) {
   base.add_response(-1, links, force, x);
   Eigen::VectorXd u;
   base.recover(x);
-  base.physical(x, u);
+  u = base.physical(x);
   return u;
 }
 
@@ -406,12 +406,12 @@ nlohmann::json space(const Words& arguments) {
   check(TSSolve(solve.ts, nullptr));
 
   std::vector<double> solves;
-  Eigen::VectorXd x = base->load().col(0);
+  Eigen::VectorXd x = base->layout().load.col(0);
   for (int i = 0; i < 21; ++i) {
     const Clock::time_point before = Clock::now();
     base->solve(x);
     solves.push_back(seconds_since(before));
-    x = base->load().col(0);
+    x = base->layout().load.col(0);
   }
   const std::vector<double> timed(clock.seconds.begin() + settling_steps, clock.seconds.end());
   double total = 0;

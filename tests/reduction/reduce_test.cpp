@@ -27,7 +27,6 @@ namespace pounding {
 namespace reduce_test {
 
 using petsc::reduced_groups;
-using petsc::ReducedGroups;
 using petsc::ReductionPlan;
 using petsc::SolverKind;
 using Kind = Reduction::Kind;
@@ -209,7 +208,9 @@ TEST(ModalDamping, IsTheSameInAllModesByItsMatrixAndByItsRatio) {
   bare.modal_damping = {};
   const auto damping = [](const System& system) {
     Eigen::MatrixXd kx(4, 4), cx(4, 4);
-    ModalSolver(system).stiffness_and_damping_times(Eigen::MatrixXd::Identity(4, 4), kx, cx);
+    const ModalSolver solver(system);
+    solver.stiffness_times(Eigen::MatrixXd::Identity(4, 4), kx);
+    solver.damping_times(Eigen::MatrixXd::Identity(4, 4), kx, cx);
     EXPECT_LT((cx.diagonal() - 0.1 * kx.diagonal().cwiseSqrt()).cwiseAbs().maxCoeff(), 1e-9 * cx(0, 0));
     return cx;
   };
@@ -369,20 +370,58 @@ TEST(EqualStructures, MoveAsTheyDoByThemselves) {
     for (int other = 0; other < 5; ++other)
       if (other != k) one.mass.coeffRef(one.groups[other].first, one.groups[other].first) *= 1 + 0.1 * (other + 1);
     const ModalSolver alone(one);
-    const StructureSolver::Segment own = solver.segments()[k];
+    const StructureSolver::Segment own = solver.layout().segments[k];
     Eigen::VectorXd x = Eigen::VectorXd::Zero(solver.size()), u, expected;
     x.segment(own.first, own.count).setLinSpaced(-1, 1);
-    solver.physical(x, u);
-    alone.physical(x, expected);
+    u = solver.physical(x);
+    expected = alone.physical(x);
     EXPECT_EQ(u, expected) << k;
     EXPECT_EQ(solver.coordinates(u).segment(own.first, own.count), alone.coordinates(u).segment(own.first, own.count))
         << k;
-    EXPECT_EQ(solver.load().middleRows(own.first, own.count), alone.load().middleRows(own.first, own.count)) << k;
+    EXPECT_EQ(solver.layout().load.middleRows(own.first, own.count),
+              alone.layout().load.middleRows(own.first, own.count))
+        << k;
     Eigen::MatrixXd closings, of_alone;
     solver.gather(x, closings);
     alone.gather(x, of_alone);
     EXPECT_EQ(closings, of_alone) << k;
   }
+}
+
+// Solvers of other systems with some of the structures use the modes that exist.
+TEST(NaturalModes, AreSharedBySolversOfSeveralSystems) {
+  const Row row, lighter(30);
+  const auto shared = std::make_shared<NaturalModes>();
+  const auto of = [&](const Row& any, int k) { return shared->of(any.system, any.system.groups[k]); };
+  EXPECT_EQ(of(row, 0), of(row, 4));
+  EXPECT_NE(of(row, 0), of(row, 3));
+  EXPECT_EQ(of(lighter, 4), of(row, 0));
+  EXPECT_NE(of(lighter, 3), of(row, 3));
+  const ModalSolver all(row.system, {}, {.groups = {}, .natural = shared}), own(row.system);
+  EXPECT_EQ(all.layout().load, own.layout().load);
+}
+
+// The solvers of two sets of structures add up to the solver of all.
+TEST(ModalSolver, OfSomeStructuresMovesThemAsAmongAll) {
+  const Row row;
+  const ModalSolver all(row.system), some(row.system, {}, {.groups = std::vector{1, 3}}),
+      others(row.system, {}, {.groups = std::vector{0, 2, 4}});
+  EXPECT_EQ(some.size() + others.size(), all.size());
+  const Eigen::VectorXd u = Eigen::VectorXd::LinSpaced(row.system.size(), -1, 1);
+  EXPECT_EQ(some.physical(some.coordinates(u)) + others.physical(others.coordinates(u)),
+            all.physical(all.coordinates(u)));
+  for (const StructureSolver::Segment& own : some.layout().segments) {
+    const StructureSolver::Segment& among = all.layout().segments[static_cast<std::size_t>(own.group)];
+    EXPECT_EQ(some.layout().load.middleRows(own.first, own.count),
+              all.layout().load.middleRows(among.first, among.count));
+    EXPECT_EQ(some.layout().group_masses[static_cast<std::size_t>(own.group)],
+              all.layout().group_masses[static_cast<std::size_t>(own.group)]);
+  }
+  Eigen::MatrixXd by_some, by_others, by_all;
+  some.gather(some.coordinates(u), by_some);
+  others.gather(others.coordinates(u), by_others);
+  all.gather(all.coordinates(u), by_all);
+  EXPECT_LT((by_some + by_others - by_all).norm(), 1e-12 * by_all.norm());
 }
 
 TEST(ReducedGroups, RefuseNumbersThatMakeTheBasisTooLarge) {

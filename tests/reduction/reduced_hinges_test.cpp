@@ -40,7 +40,7 @@ struct Reduced {
     Eigen::MatrixXd of_modes;
     solver->set_matrix({.mass = s, .damping = 0, .stiffness = 1}, std::nullopt);
     EXPECT_TRUE(solver->flexibility(hinges, of_modes));
-    return of_modes + Eigen::MatrixXd(solver->relief().flexibility());
+    return of_modes + Eigen::MatrixXd(solver->layout().relief.flexibility());
   }
   // Compliance of all hinges in the assembled frame.
   Eigen::MatrixXd exact(double s) const {
@@ -58,7 +58,7 @@ TEST(ReducedHinges, GiveWayToEachOtherAsInTheWholeFrame) {
   const Eigen::MatrixXd exact = reduced.exact(0), found = reduced.compliance(0);
   EXPECT_LT((found - exact).cwiseAbs().maxCoeff(), 1e-9 * exact.cwiseAbs().maxCoeff());
   // Without S they would be far too stiff: it is a large fraction of the flexibility of a hinge.
-  const Eigen::MatrixXd at_once = Eigen::MatrixXd(reduced.solver->relief().flexibility());
+  const Eigen::MatrixXd at_once = Eigen::MatrixXd(reduced.solver->layout().relief.flexibility());
   EXPECT_GT((at_once.diagonal().array() / exact.diagonal().array()).minCoeff(), 0.2);
 }
 
@@ -103,7 +103,7 @@ TEST(ReducedHinges, StayInEquilibriumWhileTheyYield) {
           apart = std::max(apart, std::abs(controller.stepper().link_motion(i).penetration - turns[i]));
         turned = std::max(turned, turns.cwiseAbs().maxCoeff());
         largest_way =
-            std::max(largest_way, (reduced.solver->relief().flexibility() * state.force).cwiseAbs().maxCoeff());
+            std::max(largest_way, (reduced.solver->layout().relief.flexibility() * state.force).cwiseAbs().maxCoeff());
       });
   EXPECT_GT(*std::ranges::max_element(run.ductility), 2);
   EXPECT_GT(largest_way, 0.1 * turned) << "the test would not notice a missing S";

@@ -3,6 +3,8 @@
 
 #include <Eigen/Core>
 #include <memory>
+#include <optional>
+#include <vector>
 
 #include <pounding/model/reduction.hpp>
 
@@ -28,5 +30,8 @@ struct ReducedGroup {
   std::shared_ptr<const ShadowModes> shadow{};  ///< its motion estimates the reduction error; null if there is none
   ReducedStructure made{};                      ///< description and numbers for reports
 };
+
+/// By group of a system; nullopt for all natural modes.
+using ReducedGroups = std::vector<std::optional<ReducedGroup>>;
 
 }  // namespace pounding

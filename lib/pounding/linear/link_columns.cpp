@@ -75,7 +75,7 @@ void LinkColumns::find_entries(std::vector<Block>& blocks, int count) {
 }
 
 void LinkColumns::gather(const std::vector<Block>& blocks, int count, const Eigen::Ref<const Eigen::MatrixXd>& x,
-                         Eigen::MatrixXd& relative) const {
+                         Eigen::MatrixXd& relative) {
   const Index columns = x.cols();
   relative.resize(count, columns);
   const bool begins = !blocks.empty() && blocks.front().begins;
@@ -83,6 +83,7 @@ void LinkColumns::gather(const std::vector<Block>& blocks, int count, const Eige
     add_closing<true>(blocks.front().entries, x, relative);
   else
     std::fill_n(relative.data(), relative.size(), 0.0);
+  Eigen::MatrixXd room;
   for (const Block& block : blocks) {
     if (block.is_small()) {
       if (!block.begins && !block.entries.empty()) add_closing<false>(block.entries, x, relative);
@@ -90,7 +91,7 @@ void LinkColumns::gather(const std::vector<Block>& blocks, int count, const Eige
     }
     const Index ends = block.by_link.cols();
     add_products({block.by_coordinate.data(), ends, block.size(), ends},
-                 {x.data() + block.first, block.size(), columns, x.outerStride()}, block.links, relative, sums_);
+                 {x.data() + block.first, block.size(), columns, x.outerStride()}, block.links, relative, room);
   }
 }
 
@@ -102,27 +103,26 @@ void LinkColumns::gather_chosen(const Eigen::Ref<const Eigen::MatrixXd>& x, Eige
 }
 
 void LinkColumns::add(const std::vector<Block>& blocks, double factor, const Eigen::VectorXd& f, const double* d,
-                      double* y, int from) const {
+                      double* y) {
+  std::vector<ScaledColumn> scaled;
   for (const Block& block : blocks) {
     if (block.is_small()) {
       for (const Entry& entry : block.entries) {
         const double scale = factor * f[entry.link];
-        if (scale != 0 && entry.coordinate >= from)
-          y[entry.coordinate] += (d ? scale * d[entry.coordinate] : scale) * entry.value;
+        if (scale != 0) y[entry.coordinate] += (d ? scale * d[entry.coordinate] : scale) * entry.value;
       }
       continue;
     }
-    if (block.first < from) continue;
-    scaled_.clear();
+    scaled.clear();
     for (std::size_t i = 0; i < block.links.size(); ++i)
       if (const double scale = factor * f[block.links[i]]; scale != 0)
-        scaled_.push_back({block.by_link.col(static_cast<Index>(i)).data(), scale});
-    if (!scaled_.empty()) add_scaled(scaled_, block.size(), d ? d + block.first : nullptr, y + block.first);
+        scaled.push_back({block.by_link.col(static_cast<Index>(i)).data(), scale});
+    if (!scaled.empty()) add_scaled(scaled, block.size(), d ? d + block.first : nullptr, y + block.first);
   }
 }
 
-void LinkColumns::add_forces(double factor, const Eigen::VectorXd& f, Eigen::Ref<Eigen::VectorXd> y, int from) const {
-  add(blocks_, factor, f, nullptr, y.data(), from);
+void LinkColumns::add_forces(double factor, const Eigen::VectorXd& f, Eigen::Ref<Eigen::VectorXd> y) const {
+  add(blocks_, factor, f, nullptr, y.data());
 }
 
 bool LinkColumns::choose(std::span<const int> links) {
@@ -159,6 +159,7 @@ bool LinkColumns::choose(std::span<const int> links) {
 // Computes the rows of the links up to the diagonal, three at a time; entries beyond the diagonal are discarded.
 void LinkColumns::flexibility(const Eigen::VectorXd& d, Eigen::MatrixXd& g) const {
   g.setZero(static_cast<Index>(chosen_.size()), static_cast<Index>(chosen_.size()));
+  Eigen::MatrixXd weighed, sums;
   for (const Block& block : chosen_blocks_) {
     const Index ends = block.by_link.cols(), size = block.size();
     const auto enter = [&](Index i, Index j, double sum) {
@@ -175,29 +176,30 @@ void LinkColumns::flexibility(const Eigen::VectorXd& d, Eigen::MatrixXd& g) cons
         }
       continue;
     }
-    weighed_.resize(ends, size);
+    weighed.resize(ends, size);
     for (Index k = 0; k < size; ++k)
-      for (Index i = 0; i < ends; ++i) weighed_(i, k) = block.by_coordinate(i, k) * d[block.first + k];
+      for (Index i = 0; i < ends; ++i) weighed(i, k) = block.by_coordinate(i, k) * d[block.first + k];
     constexpr Index together = 3;
     for (Index j = 0; j < ends; j += together) {
       const Index columns = std::min(together, ends - j), rows = j + columns;
-      sums_.setZero(rows, columns);
-      add_products({weighed_.data(), rows, size, ends}, {block.by_link.col(j).data(), size, columns, size},
-                   sums_.data(), rows);
+      sums.setZero(rows, columns);
+      add_products({weighed.data(), rows, size, ends}, {block.by_link.col(j).data(), size, columns, size}, sums.data(),
+                   rows);
       for (Index c = 0; c < columns; ++c)
-        for (Index i = 0; i <= j + c; ++i) enter(i, j + c, sums_(i, c));
+        for (Index i = 0; i <= j + c; ++i) enter(i, j + c, sums(i, c));
     }
   }
 }
 
 void LinkColumns::flexibility(const Solve& solve, Eigen::MatrixXd& g) const {
   g.setZero(static_cast<Index>(chosen_.size()), static_cast<Index>(chosen_.size()));
+  Eigen::VectorXd solved;
   for (const Block& block : chosen_blocks_)
     for (std::size_t j = 0; j < block.links.size(); ++j) {
-      solved_ = block.by_link.col(static_cast<Index>(j));
-      solve(block.first, solved_);
+      solved = block.by_link.col(static_cast<Index>(j));
+      solve(block.first, solved);
       for (std::size_t i = 0; i <= j; ++i) {
-        const double sum = block.by_link.col(static_cast<Index>(i)).dot(solved_);
+        const double sum = block.by_link.col(static_cast<Index>(i)).dot(solved);
         g(block.links[i], block.links[j]) += sum;
         if (i != j) g(block.links[j], block.links[i]) += sum;
       }
@@ -205,18 +207,18 @@ void LinkColumns::flexibility(const Solve& solve, Eigen::MatrixXd& g) const {
 }
 
 void LinkColumns::add_response(double factor, const Eigen::VectorXd& f, const Eigen::VectorXd& d,
-                               Eigen::Ref<Eigen::VectorXd> y, int from) const {
-  add(chosen_blocks_, factor, f, d.data(), y.data(), from);
+                               Eigen::Ref<Eigen::VectorXd> y) const {
+  add(chosen_blocks_, factor, f, d.data(), y.data());
 }
 
 void LinkColumns::add_response(double factor, const Eigen::VectorXd& f, const Solve& solve,
-                               Eigen::Ref<Eigen::VectorXd> y, int from) const {
+                               Eigen::Ref<Eigen::VectorXd> y) const {
+  Eigen::VectorXd solved;
   for (const Block& block : chosen_blocks_) {
-    if (block.first < from) continue;
     for (std::size_t j = 0; j < block.links.size(); ++j) {
-      solved_ = block.by_link.col(static_cast<Index>(j));
-      solve(block.first, solved_);
-      y.segment(block.first, block.size()) += factor * f[block.links[j]] * solved_;
+      solved = block.by_link.col(static_cast<Index>(j));
+      solve(block.first, solved);
+      y.segment(block.first, block.size()) += factor * f[block.links[j]] * solved;
     }
   }
 }

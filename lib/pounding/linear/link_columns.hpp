@@ -23,8 +23,8 @@ class LinkColumns {
 
   /// B^T x for all links [links x columns of x].
   void gather(const Eigen::Ref<const Eigen::MatrixXd>& x, Eigen::MatrixXd& relative) const;
-  /// y += factor B f, on coordinates from `from` on; f has one force per link.
-  void add_forces(double factor, const Eigen::VectorXd& f, Eigen::Ref<Eigen::VectorXd> y, int from = 0) const;
+  /// y += factor B f; f has one force per link.
+  void add_forces(double factor, const Eigen::VectorXd& f, Eigen::Ref<Eigen::VectorXd> y) const;
 
   /// Selects the links, ascending, for the functions below. True if the selection changed.
   bool choose(std::span<const int> links);
@@ -35,12 +35,11 @@ class LinkColumns {
   /// G = B^T A^-1 B; `solve` replaces the given column, in the coordinates from `first` on, by A^-1 times it.
   using Solve = std::function<void(int first, Eigen::VectorXd& column)>;
   void flexibility(const Solve& solve, Eigen::MatrixXd& g) const;
-  /// y += factor D B f, on coordinates from `from` on; f has one force per selected link.
-  void add_response(double factor, const Eigen::VectorXd& f, const Eigen::VectorXd& d, Eigen::Ref<Eigen::VectorXd> y,
-                    int from = 0) const;
+  /// y += factor D B f; f has one force per selected link.
+  void add_response(double factor, const Eigen::VectorXd& f, const Eigen::VectorXd& d,
+                    Eigen::Ref<Eigen::VectorXd> y) const;
   /// y += factor A^-1 B f, with the same conventions.
-  void add_response(double factor, const Eigen::VectorXd& f, const Solve& solve, Eigen::Ref<Eigen::VectorXd> y,
-                    int from = 0) const;
+  void add_response(double factor, const Eigen::VectorXd& f, const Solve& solve, Eigen::Ref<Eigen::VectorXd> y) const;
 
  private:
   struct Entry {
@@ -69,18 +68,14 @@ class LinkColumns {
   static void add_closing(const std::vector<Entry>& entries, const Eigen::Ref<const Eigen::MatrixXd>& x,
                           Eigen::MatrixXd& relative);
 
-  void gather(const std::vector<Block>& blocks, int count, const Eigen::Ref<const Eigen::MatrixXd>& x,
-              Eigen::MatrixXd& relative) const;
-  void add(const std::vector<Block>& blocks, double factor, const Eigen::VectorXd& f, const double* d, double* y,
-           int from) const;
+  static void gather(const std::vector<Block>& blocks, int count, const Eigen::Ref<const Eigen::MatrixXd>& x,
+                     Eigen::MatrixXd& relative);
+  static void add(const std::vector<Block>& blocks, double factor, const Eigen::VectorXd& f, const double* d,
+                  double* y);
 
   int count_ = 0;
   std::vector<Block> blocks_, chosen_blocks_;
   std::vector<int> chosen_;
-  // Work arrays.
-  mutable Eigen::MatrixXd weighed_, sums_;
-  mutable Eigen::VectorXd solved_;
-  mutable std::vector<ScaledColumn> scaled_;
 };
 
 }  // namespace pounding

@@ -56,21 +56,20 @@ void LinkEnds::make_batches() {
   }
 }
 
-Eigen::Map<const Eigen::MatrixXd> LinkEnds::by_slot(Eigen::Ref<const Eigen::MatrixXd> x) const {
-  const Eigen::Index count = slots();
-  ends_.assign(static_cast<std::size_t>(count * x.cols()), 0.0);
+Eigen::MatrixXd LinkEnds::by_slot(Eigen::Ref<const Eigen::MatrixXd> x) const {
+  Eigen::MatrixXd ends = Eigen::MatrixXd::Zero(slots(), x.cols());
   for (const Part& part : parts_)
     for (Eigen::Index j = 0; j < x.cols(); ++j) {
       double sum = 0;
       for (const auto& [row, value] : part.entries) sum += value * x(row, j);
-      ends_[part.slot + count * j] = sum;
+      ends(part.slot, j) = sum;
     }
-  matrices_.combine(ends_);
-  return {ends_.data(), count, x.cols()};
+  matrices_.combine({ends.data(), static_cast<std::size_t>(ends.size())});
+  return ends;
 }
 
 void LinkEnds::gather(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::MatrixXd& relative) const {
-  const auto ends = by_slot(x);
+  const Eigen::MatrixXd ends = by_slot(x);
   relative.resize(static_cast<Eigen::Index>(slots_.size()), x.cols());
   for (std::size_t i = 0; i < slots_.size(); ++i)
     for (Eigen::Index j = 0; j < x.cols(); ++j) {

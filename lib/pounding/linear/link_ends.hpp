@@ -33,9 +33,8 @@ class LinkEnds {
   const std::vector<int>& batch(int number) const { return batches_[number]; }
   int batch_of(int link) const { return batch_of_[link]; }
 
-  /// B^T x by slot [slots x columns of x], identical on every process, for x without spring relief. Collective. Valid
-  /// until the next call.
-  Eigen::Map<const Eigen::MatrixXd> by_slot(Eigen::Ref<const Eigen::MatrixXd> x) const;
+  /// B^T x by slot [slots x columns of x], identical on every process, for x without spring relief. Collective.
+  Eigen::MatrixXd by_slot(Eigen::Ref<const Eigen::MatrixXd> x) const;
   /// B^T x by link [links x columns of x], identical on every process. Collective.
   void gather(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::MatrixXd& relative) const;
   /// y += factor B f, with B_e for springs and one force per link, on the rows of this process.
@@ -61,7 +60,6 @@ class LinkEnds {
   std::vector<int> group_of_;            // of each slot
   std::vector<std::vector<int>> batches_;
   std::vector<int> batch_of_;  // of each link
-  mutable std::vector<double> ends_;
 };
 
 }  // namespace pounding::petsc

@@ -21,7 +21,7 @@ SparseSolver::SparseSolver(MPI_Comm comm, const System& system, const SparseOpti
       system_(system),
       options_(options),
       matrices_(comm, system, options.prefix),
-      ends_(system, matrices_, relief_),
+      ends_(system, matrices_, layout_.relief),
       factors_(matrices_, options_, system.size(), system.links(), factorizations_) {
   PetscReal memory = options_.memory;
   PetscInt direct_below = options_.direct_below;
@@ -31,21 +31,17 @@ SparseSolver::SparseSolver(MPI_Comm comm, const System& system, const SparseOpti
   options_.direct_below = static_cast<int>(direct_below);
 
   const int first = matrices_.first(), rows = matrices_.rows();
-  load_.resize(rows, system.load.cols());
-  if (load_.size() > 0) load_ = system.load.middleRows(first, rows);
+  layout_.step_lengths = StepLengths::needs_dyadic;
+  layout_.load.resize(rows, system.load.cols());
+  if (layout_.load.size() > 0) layout_.load = system.load.middleRows(first, rows);
   outputs_.resize(rows, system.outputs.cols());
   if (outputs_.size() > 0) outputs_ = system.outputs.middleRows(first, rows);
-  weights_ = matrices_.diagonal_mass();
-  segments_ = matrices_.segments();
+  layout_.weights = matrices_.diagonal_mass();
+  layout_.segments = matrices_.segments();
   const Eigen::VectorXd masses = system.mass.diagonal();
-  for (const Group& group : system.groups) group_masses_.push_back(masses.segment(group.first, group.count).sum());
+  for (const Group& group : system.groups)
+    layout_.group_masses.push_back(masses.segment(group.first, group.count).sum());
   work_.resize(size());
-}
-
-void SparseSolver::stiffness_and_damping_times(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::Ref<Eigen::MatrixXd> kx,
-                                               Eigen::Ref<Eigen::MatrixXd> cx) const {
-  matrices_.stiffness_times(x, kx);
-  matrices_.damping_times(x.rightCols(cx.cols()), kx.rightCols(cx.cols()), cx);
 }
 
 bool SparseSolver::solve(Eigen::Ref<Eigen::VectorXd> x) {
@@ -106,7 +102,7 @@ bool SparseSolver::columns_by_gradients(CachedFactor& entry, std::span<const int
   for (int j = 0; j < count && solved; ++j) {
     work_ = b.col(j);
     const double* const near_column = nearest.columns[nearest.column_of[links[j]]];
-    for (const Segment& s : segments_)
+    for (const Segment& s : layout_.segments)
       if (ends_.joins(links[j], s.group))
         z.col(j).segment(s.first, s.count) = Eigen::VectorXd::Map(near_column + s.first, s.count);
     solved = entry.gradients->solve(work_.data(), z.col(j).data(), true);
@@ -164,7 +160,7 @@ void SparseSolver::add_response(double factor, std::span<const int> links, const
   const CachedFactor& entry = factors_.current();
   std::vector<const double*> columns;
   std::vector<double> scales;
-  for (const Segment& s : segments_) {
+  for (const Segment& s : layout_.segments) {
     columns.clear();
     scales.clear();
     for (std::size_t j = 0; j < links.size(); ++j) {

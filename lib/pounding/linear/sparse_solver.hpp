@@ -32,15 +32,15 @@ class SparseSolver final : public StructureSolver {
   void stiffness_times(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::Ref<Eigen::MatrixXd> y) const override {
     matrices_.stiffness_times(x, y);
   }
-  void stiffness_and_damping_times(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::Ref<Eigen::MatrixXd> kx,
-                                   Eigen::Ref<Eigen::MatrixXd> cx) const override;
+  void damping_times(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::Ref<const Eigen::MatrixXd> kx,
+                     Eigen::Ref<Eigen::MatrixXd> y) const override {
+    matrices_.damping_times(x, kx, y);
+  }
   void mass_times(Eigen::Ref<const Eigen::VectorXd> x, Eigen::Ref<Eigen::VectorXd> y) const override {
     matrices_.mass_times(x, y);
   }
   void accelerate(Eigen::Ref<Eigen::VectorXd> r) const override { matrices_.accelerate(r); }
   void recover(Eigen::Ref<Eigen::VectorXd> x) const override { matrices_.recover(x); }
-  bool prefers_dyadic_steps() const override { return true; }
-  bool needs_dyadic_steps() const override { return true; }
   void set_matrix(const EffectiveMatrix& matrix, const std::optional<int>& step_level) override {
     factors_.select(matrix, step_level);
   }
@@ -63,10 +63,12 @@ class SparseSolver final : public StructureSolver {
   Eigen::VectorXd coordinates(const Eigen::VectorXd& physical) const override {
     return physical.segment(matrices_.first(), size());
   }
-  void physical(Eigen::Ref<const Eigen::VectorXd> x, Eigen::VectorXd& u) const override { matrices_.spread(x, u); }
+  Eigen::MatrixXd physical(Eigen::Ref<const Eigen::MatrixXd> x) const override { return matrices_.spread(x); }
   void combine(std::span<double> sums) const override { matrices_.combine(sums); }
   std::string description() const override;
 
+  /// Total number of factorizations. Not collective.
+  long factorizations() const { return factorizations_; }
   /// Factors that are held, and their memory on this process [MB]. Not collective.
   int factors() const { return factors_.count(); }
   double memory() const { return factors_.memory() * 1e-6; }
@@ -85,6 +87,7 @@ class SparseSolver final : public StructureSolver {
   SparseOptions options_;
   SystemMatrices matrices_;
   LinkEnds ends_;
+  long factorizations_ = 0;
   CachedFactors factors_;
   SparseMatrix outputs_;  // rows of this process
   Eigen::VectorXd work_;

@@ -97,11 +97,15 @@ SystemMatrices::SystemMatrices(MPI_Comm comm, const System& system, const std::s
     if (!mass_.empty()) shared_mass_ = std::make_unique<Product>(make_matrix(comm, pattern_, mass_));
     if (!damping_.empty()) shared_damping_ = std::make_unique<Product>(make_matrix(comm, pattern_, damping_));
   }
-  dofs_ = split_by_mass(system.mass);
+  const MassSplit dofs = split_by_mass(system.mass);
   if (!mass_.empty()) {
-    dynamic_ = std::make_unique<Subset>(*this, system.mass, dofs_.dynamic);
-    if (!agreed(dynamic_->ok())) fail_singular(system.mass, dofs_.dynamic, "the mass matrix");
+    dynamic_ = std::make_unique<Subset>(*this, system.mass, dofs.dynamic);
+    if (!agreed(dynamic_->ok())) fail_singular(system.mass, dofs.dynamic, "the mass matrix");
   }
+  if (dofs.massless.empty()) return;
+  massless_ = std::make_unique<Subset>(*this, system.stiffness, dofs.massless);
+  if (!agreed(massless_->ok()))
+    fail_singular(system.stiffness, dofs.massless, "the stiffness at the massless degrees of freedom");
 }
 
 void SystemMatrices::find_segments() {
@@ -218,14 +222,7 @@ void SystemMatrices::accelerate(Eigen::Ref<Eigen::VectorXd> r) const {
 
 // Solves K_ss x_s = -K_sm x_m.
 void SystemMatrices::recover(Eigen::Ref<Eigen::VectorXd> x) const {
-  if (dofs_.massless.empty()) return;
-  if (!massless_) {
-    massless_ = std::make_unique<Subset>(*this, system_.stiffness, dofs_.massless);
-    if (!agreed(massless_->ok())) {
-      massless_.reset();
-      fail_singular(system_.stiffness, dofs_.massless, "the stiffness at the massless degrees of freedom");
-    }
-  }
+  if (!massless_) return;
   for (const int i : massless_->rows) x[i] = 0;
   Eigen::VectorXd pull(x.size());
   stiffness_times(x, pull);
@@ -262,15 +259,15 @@ void SystemMatrices::name_singular(const EffectiveMatrix& step) const {
   fail_singular(a, dofs, "mass and stiffness together");
 }
 
-void SystemMatrices::spread(Eigen::Ref<const Eigen::VectorXd> x, Eigen::VectorXd& all) const {
-  if (processes_ == 1) {
-    all = x;
-    return;
-  }
-  all.resize(system_.size());
+Eigen::MatrixXd SystemMatrices::spread(Eigen::Ref<const Eigen::MatrixXd> x) const {
+  if (processes_ == 1) return x;
+  Eigen::MatrixXd all(system_.size(), x.cols());
   std::vector<int> counts(processes_);
   for (int r = 0; r < processes_; ++r) counts[r] = first_row_[r + 1] - first_row_[r];
-  MPI_Allgatherv(x.data(), rows(), MPI_DOUBLE, all.data(), counts.data(), first_row_.data(), MPI_DOUBLE, comm_);
+  for (Eigen::Index j = 0; j < x.cols(); ++j)
+    MPI_Allgatherv(x.col(j).data(), rows(), MPI_DOUBLE, all.col(j).data(), counts.data(), first_row_.data(), MPI_DOUBLE,
+                   comm_);
+  return all;
 }
 
 bool SystemMatrices::agreed(bool mine) const {

@@ -34,7 +34,7 @@ class SystemMatrices {
   /// Diagonal of M on this process [kg]. Not collective.
   const Eigen::VectorXd& diagonal_mass() const { return diagonal_mass_; }
 
-  /// As the functions of StructureSolver with these names.
+  /// As the functions of LinearOperator with these names.
   void stiffness_times(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::Ref<Eigen::MatrixXd> y) const;
   void damping_times(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::Ref<const Eigen::MatrixXd> kx,
                      Eigen::Ref<Eigen::MatrixXd> y) const;
@@ -51,8 +51,8 @@ class SystemMatrices {
   /// singular.
   [[noreturn]] void name_singular(const EffectiveMatrix& step) const;
 
-  /// Gathers all rows of x on every process.
-  void spread(Eigen::Ref<const Eigen::VectorXd> x, Eigen::VectorXd& all) const;
+  /// All rows of x, on every process.
+  Eigen::MatrixXd spread(Eigen::Ref<const Eigen::MatrixXd> x) const;
   /// True if `mine` is true on all processes.
   bool agreed(bool mine) const;
   /// Sums over all processes, in place.
@@ -82,9 +82,8 @@ class SystemMatrices {
   Eigen::VectorXd diagonal_mass_;
   // used if rows have entries on other processes
   std::unique_ptr<Product> shared_stiffness_, shared_mass_, shared_damping_;
-  MassSplit dofs_;
-  std::unique_ptr<Subset> dynamic_;           // consistent mass matrix
-  mutable std::unique_ptr<Subset> massless_;  // stiffness; factored on first use
+  std::unique_ptr<Subset> dynamic_;   // consistent mass matrix
+  std::unique_ptr<Subset> massless_;  // stiffness
 };
 
 }  // namespace pounding::petsc

@@ -343,8 +343,7 @@ void ForceEnvelopes::follow() {
   };
   if (linear_) {
     repeat_last([&](int i) { return coordinates_.col(i); });
-    stepper_.base().physical_of_columns(coordinates_, unknowns_);
-    motions_ = unknowns_;
+    motions_ = stepper_.base().physical(coordinates_).transpose();
   } else {
     repeat_last([&](int i) { return motions_.row(i); });
   }

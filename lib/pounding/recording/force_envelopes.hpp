@@ -86,13 +86,12 @@ class ForceEnvelopes {
   // members rotate by large angles: their forces vary more than the displacements, and each step has a knot inside
   bool turns_ = false;
   Knots knots_;
-  bool jumped_ = false;        // a discontinuity at the end of the last step
-  bool acts_ = false;          // yielding parts of frames have forces in the current step
-  double followed_ = 0;        // knot up to which the extremes are known [s]
-  std::vector<double> times_;  // later knots whose motions are pending [s]
-  bool linear_ = false;        // all unknowns are linear in the coordinates
-  // if linear_: pending motions, displacements before velocities, and all their unknowns
-  Eigen::MatrixXd coordinates_, unknowns_;
+  bool jumped_ = false;          // a discontinuity at the end of the last step
+  bool acts_ = false;            // yielding parts of frames have forces in the current step
+  double followed_ = 0;          // knot up to which the extremes are known [s]
+  std::vector<double> times_;    // later knots whose motions are pending [s]
+  bool linear_ = false;          // all unknowns are linear in the coordinates
+  Eigen::MatrixXd coordinates_;  // if linear_: pending motions, displacements before velocities
   LinearQuantities::Instants<LinearQuantities::batch> motions_, evaluated_;
   std::vector<int> beyond_;  // quantities that may have new extremes
   LinearQuantities::Instants<1> motion_, evaluated_once_;

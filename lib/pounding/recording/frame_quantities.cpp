@@ -62,15 +62,16 @@ FrameQuantities frame_quantities(const Structure& s, const std::vector<int>& rep
   return made;
 }
 
-FrameRows::FrameRows(const Structure& s, const std::vector<int>& reported, const StructureSolver::FewModes& modes)
+FrameRows::FrameRows(const Structure& s, const std::vector<int>& reported, const StructureSolver::Segment& modes)
     : first_(modes.first) {
-  const Eigen::Index count = modes.shapes.cols();
+  const Eigen::MatrixXd& shapes = modes.modes->shapes;
+  const Eigen::Index count = shapes.cols();
   const Eigen::VectorXd none = Eigen::VectorXd::Zero(s.size());
   at_rest_ = frame_quantities(s, reported, s.at_rest.size() > 0 ? s.at_rest : none, none, none);
   nodes_.resize(at_rest_.displacement.size(), count);
   others_.resize(at_rest_.shears.size() + at_rest_.forces.size(), count);
   for (Eigen::Index j = 0; j < count; ++j) {
-    const FrameQuantities of_mode = frame_quantities(s, reported, modes.shapes.col(j), none, none);
+    const FrameQuantities of_mode = frame_quantities(s, reported, shapes.col(j), none, none);
     nodes_.col(j) = of_mode.displacement;
     others_.col(j) << of_mode.shears, of_mode.forces;
   }

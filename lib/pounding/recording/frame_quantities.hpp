@@ -27,7 +27,8 @@ FrameQuantities frame_quantities(const Structure& structure, const std::vector<i
 /// Quantities of a frame with few modes as sums over the modes, without the displacements of all unknowns.
 class FrameRows {
  public:
-  FrameRows(const Structure& structure, const std::vector<int>& reported, const StructureSolver::FewModes& modes);
+  /// `modes`: coordinates of the structure, with its modes.
+  FrameRows(const Structure& structure, const std::vector<int>& reported, const StructureSolver::Segment& modes);
 
   /// From the coordinates of all structures [coordinate, u v a].
   FrameQuantities at(const Eigen::MatrixXd& coordinates) const;

@@ -48,7 +48,7 @@ void Knots::take_norms(const Eigen::VectorXd& x) {
   stiffness_times_.resize(x.size());
   solver.stiffness_times(x, stiffness_times_);
   std::fill(norms_.begin(), norms_.end(), 0.0);
-  for (const StructureSolver::Segment& part : solver.segments())
+  for (const StructureSolver::Segment& part : solver.layout().segments)
     norms_[part.group] += x.segment(part.first, part.count).dot(stiffness_times_.segment(part.first, part.count));
   solver.combine(norms_);
   for (double& norm : norms_) norm = std::sqrt(std::max(0.0, norm));

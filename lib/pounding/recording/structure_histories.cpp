@@ -35,6 +35,7 @@ StructureHistories::StructureHistories(const Model& model, const GroundPlan& pla
       first_unknown_(offsets(model)) {
   std::size_t spring = stepper.system().contact_count();
   int group = 0;
+  const std::vector<StructureSolver::Segment>& segments = stepper.base().layout().segments;
   for (const Structure& s : model.structures) {
     histories_.push_back(heading(s));
     first_spring_.push_back(spring);
@@ -45,8 +46,8 @@ StructureHistories::StructureHistories(const Model& model, const GroundPlan& pla
     rows_.emplace_back();
     // Yielding parts add contributions to displacements and forces that no mode represents.
     const bool by_modes = !s.is_rigid() && s.supports.size() == 1 && s.yielding.empty() && stepper.is_linear();
-    if (const auto modes = by_modes ? stepper.base().few_modes(group) : std::nullopt)
-      rows_.back().emplace(s, reported_.back(), *modes);
+    const auto own = std::ranges::find(segments, group, &StructureSolver::Segment::group);
+    if (by_modes && own != segments.end() && own->modes) rows_.back().emplace(s, reported_.back(), *own);
     needs_unknowns_ = needs_unknowns_ || (is_frame && !rows_.back());
     has_rows_ = has_rows_ || rows_.back();
     group += s.is_rigid() ? 0 : 1;

@@ -24,9 +24,6 @@ struct ReductionPlan {
   bool requested = false;      ///< true if a reduction was requested, even of structures that cannot be reduced
 };
 
-/// By group; nullopt for all natural modes.
-using ReducedGroups = std::vector<std::optional<ReducedGroup>>;
-
 /// Maximum number of dynamic degrees of freedom of a structure for which all modes may be requested.
 inline constexpr int max_natural_modes = 5000;
 

@@ -7,6 +7,7 @@
 #include <pounding/core/error.hpp>
 #include <pounding/linear/modal_solver.hpp>
 #include <pounding/linear/sparse_solver.hpp>
+#include <pounding/reduction/shadowed_solver.hpp>
 #include <pounding/structures/damping.hpp>
 #include <pounding/structures/massless.hpp>
 
@@ -17,8 +18,11 @@ std::unique_ptr<StructureSolver> make_solver(const System& system, SolverKind ki
   const bool requested =
       std::ranges::any_of(plan.groups, [](const Reduction& how) { return how.kind != Reduction::Kind::none; });
   if (kind != SolverKind::automatic || !requested) return make_solver(system, kind, comm);
-  if (const std::optional<ReducedGroups> reduced = reduced_groups(system, plan))
+  if (const std::optional<ReducedGroups> reduced = reduced_groups(system, plan)) {
+    const auto is_shadowed = [](const std::optional<ReducedGroup>& group) { return group && group->shadow; };
+    if (std::ranges::any_of(*reduced, is_shadowed)) return std::make_unique<ShadowedSolver>(system, *reduced);
     return std::make_unique<ModalSolver>(system, *reduced);
+  }
   for (std::size_t k = 0; k < system.groups.size(); ++k)
     if (const Group& group = system.groups[k]; group.modal_ratio > 0 && !system.has_modal_matrix(group))
       if (const auto count = split_by_mass(system.mass, group.first, group.count).dynamic.size();

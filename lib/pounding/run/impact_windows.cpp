@@ -31,9 +31,8 @@ void ImpactWindows::step() {
   const bool now = presses();
   if (!now && present_.steps.empty()) return;
   if (present_.steps.empty()) {
-    const Eigen::Index count = stepper_.base().counted();
-    present_.u = stepper_.instant_begin().motion.col(Instant::u).head(count);
-    present_.v = stepper_.instant_begin().motion.col(Instant::v).head(count);
+    present_.u = stepper_.instant_begin().motion.col(Instant::u);
+    present_.v = stepper_.instant_begin().motion.col(Instant::v);
   }
   record();
   if (now) last_pressed_ = present_.end();

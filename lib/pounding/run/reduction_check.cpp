@@ -24,7 +24,7 @@ ReductionCheck::ReductionCheck(const Model& model, const FloorResponse& response
           if (s.is_rigid()) continue;
           ++group;
           if (reduction_of(model, k).check &&
-              std::ranges::count(stepper.base().reduced(), s.name, &ReducedStructure::name) > 0)
+              std::ranges::count(stepper.base().layout().reduced, s.name, &ReducedStructure::name) > 0)
             checked.push_back({.structure = k, .group = group, .rows = response.translations(k)});
         }
         return checked;

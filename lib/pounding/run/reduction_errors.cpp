@@ -36,8 +36,8 @@ double bound_of(const Reduction& requested, double tolerance) {
 }  // namespace
 
 ReductionErrors::ReductionErrors(const Model& model, const FloorResponse& response, const Stepper& stepper)
-    : model_(model), stepper_(stepper) {
-  if (stepper.base().counted() == stepper.base().size()) return;
+    : model_(model), stepper_(stepper), shadowed_(dynamic_cast<const ShadowedSolver*>(&stepper.base())) {
+  if (!shadowed_) return;
   for (std::vector<double>* by_link : {&forces_, &peaks_, &shadow_peaks_})
     by_link->assign(static_cast<std::size_t>(stepper.system().contact_count()), 0.0);
   for (int i = 0; i < static_cast<int>(forces_.size()); ++i) nearer_.push_back(nearer(i));
@@ -46,11 +46,11 @@ ReductionErrors::ReductionErrors(const Model& model, const FloorResponse& respon
   for (int k = 0; k < static_cast<int>(model.structures.size()); ++k) {
     const Structure& s = model.structures[k];
     const Eigen::Index first_part = std::exchange(parts, parts + static_cast<Eigen::Index>(s.yielding.size()));
-    const auto reduced = std::ranges::find(stepper.base().reduced(), s.name, &ReducedStructure::name);
-    if (reduced == stepper.base().reduced().end() || reduced->link_blocks < 2 || reduced->modes > 0) continue;
+    const auto reduced = std::ranges::find(stepper.base().layout().reduced, s.name, &ReducedStructure::name);
+    if (reduced == stepper.base().layout().reduced.end() || reduced->link_blocks < 2 || reduced->modes > 0) continue;
     Floors floors;
     floors.structure = k;
-    floors.coordinates = *std::ranges::find(stepper.base().segments(), k, &StructureSolver::Segment::group);
+    floors.coordinates = *std::ranges::find(stepper.base().layout().segments, k, &StructureSolver::Segment::group);
     floors.first_part = first_part;
     floors.parts = static_cast<Eigen::Index>(s.yielding.size());
     if (const auto count = static_cast<int>(s.forces.members.size() * s.forces.components.size()); count > 0) {
@@ -80,7 +80,7 @@ void ReductionErrors::step(bool output_due) {
   if (floors_.empty()) return;
   const Instant& end = stepper_.instant_end_minus();
   compare_forces(end);
-  stepper_.base().observe_shadow(end.motion.leftCols(3), motion_);
+  shadowed_->observe_shadow(end.motion.leftCols(3), motion_);
   const Eigen::MatrixXd& own = stepper_.outputs_end_minus().motion;
   for (Floors& floors : floors_)
     for (const int row : floors.rows) {
@@ -122,21 +122,18 @@ void ReductionErrors::keep_last(Floors& floors, double own, double difference) {
 
 void ReductionErrors::measure_waiting() {
   if (waits_ == 0) return;
-  const StructureSolver& base = stepper_.base();
-  base.as_shadow(waiting_, differences_);
-  differences_ = waiting_ - differences_;
+  const Eigen::MatrixXd differences = shadowed_->difference(waiting_);
   stiffness_times_.resize(waiting_.rows(), 2 * together);
-  base.stiffness_times(waiting_, stiffness_times_.leftCols(together));
-  base.stiffness_times(differences_, stiffness_times_.rightCols(together));
+  shadowed_->stiffness_times(waiting_, stiffness_times_.leftCols(together));
+  shadowed_->stiffness_times(differences, stiffness_times_.rightCols(together));
   for (int i = 0; i < waits_; ++i) {
     for (Floors& floors : floors_) {
-      const auto [first, count, group] = floors.coordinates;
-      keep_last(
-          floors, waiting_.col(i).segment(first, count).dot(stiffness_times_.col(i).segment(first, count)),
-          differences_.col(i).segment(first, count).dot(stiffness_times_.col(together + i).segment(first, count)));
+      const int first = floors.coordinates.first, count = floors.coordinates.count;
+      keep_last(floors, waiting_.col(i).segment(first, count).dot(stiffness_times_.col(i).segment(first, count)),
+                differences.col(i).segment(first, count).dot(stiffness_times_.col(together + i).segment(first, count)));
     }
     last_.col(0) = waiting_.col(i);
-    last_.col(1) = differences_.col(i);
+    last_.col(1) = differences.col(i);
     last_forces_ = waiting_forces_.col(i);
   }
   waits_ = 0;
@@ -144,13 +141,11 @@ void ReductionErrors::measure_waiting() {
 
 void ReductionErrors::compare_members() {
   if (kept_.isZero(0)) return;  // before the first peak
-  const StructureSolver& base = stepper_.base();
-  base.physical_of_columns(kept_, unknowns_);
-  motions_ = unknowns_;
+  motions_ = shadowed_->physical(kept_).transpose();
   Eigen::VectorXd way;
   for (int i = 0; i < together && kept_forces_.rows() > 0; ++i) {
     way.setZero(motions_.cols());
-    base.relief().add_way(-1, kept_forces_.col(i), way);
+    shadowed_->layout().relief.add_way(-1, kept_forces_.col(i), way);
     motions_.row(i) += way.transpose();
   }
   for (Floors& floors : floors_) {
@@ -182,9 +177,9 @@ void ReductionErrors::add_yielding(const Floors& floors) {
 double ReductionErrors::nearer(int link) const {
   double run = 0, shadow = 0;
   for (const LinkEnd* end : {&model_.links[link].left, &model_.links[link].right}) {
-    const auto reduced =
-        std::ranges::find(stepper_.base().reduced(), model_.structures[end->structure].name, &ReducedStructure::name);
-    if (reduced == stepper_.base().reduced().end()) continue;
+    const auto reduced = std::ranges::find(stepper_.base().layout().reduced, model_.structures[end->structure].name,
+                                           &ReducedStructure::name);
+    if (reduced == stepper_.base().layout().reduced.end()) continue;
     if (reduced->shadow_flexibility_error == 0) return 1;
     run += reduced->flexibility_error;
     shadow += reduced->shadow_flexibility_error;
@@ -203,7 +198,7 @@ void ReductionErrors::compare_forces(const Instant& end) {
     peaks_[i] = shadow_peaks_[i] = 0;
   }
   if (!any) return;
-  stepper_.base().gather_shadow(end.motion.leftCols(2), closings_);
+  shadowed_->gather_shadow(end.motion.leftCols(2), closings_);
   for (std::size_t i = 0; i < forces_.size(); ++i) {
     if (!presses(i)) continue;
     const auto row = static_cast<Eigen::Index>(i);
@@ -223,7 +218,7 @@ double ReductionErrors::peak_difference(std::size_t link) const {
 }
 
 std::vector<ReducedStructure> ReductionErrors::errors(const Summary& summary) const {
-  std::vector<ReducedStructure> all(stepper_.base().reduced().begin(), stepper_.base().reduced().end());
+  std::vector<ReducedStructure> all(stepper_.base().layout().reduced.begin(), stepper_.base().layout().reduced.end());
   double peak_force = 0;
   for (const LinkSummary& link : summary.links) peak_force = std::fmax(peak_force, link.peak_force);
   const auto peak = [](const std::vector<double>& values) {

@@ -11,6 +11,7 @@
 #include <pounding/model/reduction.hpp>
 #include <pounding/recording/floor_response.hpp>
 #include <pounding/recording/linear_quantities.hpp>
+#include <pounding/reduction/shadowed_solver.hpp>
 #include <pounding/results/summary.hpp>
 #include <pounding/stepping/stepper.hpp>
 
@@ -18,7 +19,7 @@ namespace pounding {
 
 /// Compares the structures with their shadow, which has one link block and five ground blocks less. The shadow is
 /// subject to the same forces: contacts, friction, devices, yielding parts and ground motion
-/// (StructureSolver::counted). The estimates are:
+/// (ShadowedSolver). The estimates are:
 ///
 /// forces of links:  peaks of every impact. The force of the shadow is F - dF/dd delta - dF/dv delta', with the
 ///                   difference in closing delta and the slopes of the law at the ends of steps. The estimated error of
@@ -80,6 +81,7 @@ class ReductionErrors {
 
   const Model& model_;
   const Stepper& stepper_;
+  const ShadowedSolver* shadowed_;            // null without a shadow
   std::vector<Floors> floors_;                // of the structures with a shadow
   std::vector<double> nearer_;                // by link, ratio of the errors of the run and of the shadow
   std::vector<double> forces_;                // by link, from finished impacts [N]
@@ -93,7 +95,7 @@ class ReductionErrors {
   Eigen::MatrixXd kept_;  // coordinates at the peaks of each structure: those of the run, then those of the difference
   Eigen::MatrixXd kept_forces_;  // of springs at the peaks of the run
   // Workspace.
-  Eigen::MatrixXd closings_, motion_, differences_, stiffness_times_, unknowns_;
+  Eigen::MatrixXd closings_, motion_, stiffness_times_;
   LinearQuantities::Instants<LinearQuantities::batch> motions_, evaluated_;
 };
 

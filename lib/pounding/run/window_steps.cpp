@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <map>
-#include <memory>
-#include <optional>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -128,32 +126,21 @@ Followed follow(const System& alone, StructureSolver& solver, const ImpactWindow
   return found;
 }
 
-// The modes used in the run.
-ReducedGroup modes_of(const StructureSolver& base, int group) {
-  const std::optional<StructureSolver::FewModes> few = base.few_modes(group);
-  if (!few) throw std::invalid_argument("only a reduced structure can be checked");
-  Eigen::VectorXd ones = Eigen::VectorXd::Zero(base.size()), squares(base.size());
-  ones.segment(few->first, few->shapes.cols()).setOnes();
-  base.stiffness_times(ones, squares);
-  return {.modes = std::make_shared<const GroupModes>(
-              GroupModes{few->shapes, squares.segment(few->first, few->shapes.cols())})};
-}
-
 }  // namespace
 
 WindowDifferences differences_in_window(const System& system, const StructureSolver& base, int group,
                                         std::span<const int> outputs, const ImpactWindow& window) {
   const Group& of = system.groups[static_cast<std::size_t>(group)];
-  const System alone = by_itself(system, base.relief(), of, outputs, window);
-  Eigen::VectorXd coordinates = Eigen::VectorXd::Zero(base.size()), all, u, v;
-  coordinates.head(window.u.size()) = window.u;
-  base.physical(coordinates, all);
-  u = all.segment(of.first, of.count);
-  coordinates.head(window.v.size()) = window.v;
-  base.physical(coordinates, all);
-  v = all.segment(of.first, of.count);
+  const StructureSolver::Segment& own =
+      *std::ranges::find(base.layout().segments, group, &StructureSolver::Segment::group);
+  if (!own.modes) throw std::invalid_argument("only a reduced structure can be checked");
+  const System alone = by_itself(system, base.layout().relief, of, outputs, window);
+  const auto motion_of = [&](const Eigen::VectorXd& coordinates) -> Eigen::VectorXd {
+    return base.physical(coordinates).col(0).segment(of.first, of.count);
+  };
+  const Eigen::VectorXd u = motion_of(window.u), v = motion_of(window.v);
   petsc::SparseSolver by_factors(PETSC_COMM_SELF, alone);
-  ModalSolver by_modes(alone, {modes_of(base, group)});
+  ModalSolver by_modes(alone, {ReducedGroup{.modes = own.modes}});
   const Followed whole = follow(alone, by_factors, window, u, v), reduced = follow(alone, by_modes, window, u, v);
   const Eigen::Index contacts = system.contact_count(), others = static_cast<Eigen::Index>(outputs.size());
   return {(whole.u - reduced.u).topRows(contacts), (whole.v - reduced.v).topRows(contacts),

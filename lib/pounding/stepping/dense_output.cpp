@@ -6,7 +6,7 @@ DenseOutput::DenseOutput(const Equations& equations, const StepHistory& history)
     : equations_(equations),
       history_(history),
       needs_whole_state_(equations.pseudo_forces.any() && equations.pseudo_forces.corrects(equations.system.outputs)) {
-  const SparseMatrix& way = equations.solver.relief().way();
+  const SparseMatrix& way = equations.solver.layout().relief.way();
   if (way.size() > 0 && SparseMatrix(equations.system.outputs.transpose() * way).nonZeros() > 0)
     needs_whole_state_ = true;
 }
@@ -29,11 +29,11 @@ void DenseOutput::forget() {
 
 void DenseOutput::show(const Instant& instant, State& state) const {
   state.time = instant.time;
-  equations_.solver.physical(instant.motion.col(Instant::u), state.u);
-  equations_.solver.physical(instant.motion.col(Instant::v), state.v);
-  equations_.solver.physical(instant.motion.col(Instant::a), state.a);
+  state.u = equations_.solver.physical(instant.motion.col(Instant::u));
+  state.v = equations_.solver.physical(instant.motion.col(Instant::v));
+  state.a = equations_.solver.physical(instant.motion.col(Instant::a));
   if (equations_.pseudo_forces.any()) equations_.pseudo_forces.complete(state.u, state.v, state.a);
-  if (const SpringRelief& relief = equations_.solver.relief(); equations_.springs.any()) {
+  if (const SpringRelief& relief = equations_.solver.layout().relief; equations_.springs.any()) {
     relief.add_way(-1, springs_of(instant.force), state.u);
     relief.add_way(-1, instant.force_rates.col(0), state.v);
     relief.add_way(-1, instant.force_rates.col(1), state.a);
@@ -48,10 +48,10 @@ void DenseOutput::show(const Instant& instant, const State* shown, Eigen::Vector
     v = shown->v;
     return;
   }
-  equations_.solver.physical(instant.motion.col(Instant::u), u);
-  equations_.solver.physical(instant.motion.col(Instant::v), v);
+  u = equations_.solver.physical(instant.motion.col(Instant::u));
+  v = equations_.solver.physical(instant.motion.col(Instant::v));
   if (equations_.pseudo_forces.any()) equations_.pseudo_forces.complete(u, v);
-  if (const SpringRelief& relief = equations_.solver.relief(); equations_.springs.any()) {
+  if (const SpringRelief& relief = equations_.solver.layout().relief; equations_.springs.any()) {
     relief.add_way(-1, springs_of(instant.force), u);
     relief.add_way(-1, instant.force_rates.col(0), v);
   }
@@ -117,7 +117,7 @@ void DenseOutput::interpolate(double time, Eigen::VectorXd& u_out, Eigen::Vector
   const Cubic cubic((time - x.time) / h, h);
   u_out = cubic.begin * x.u + cubic.end * y.u + cubic.slope_begin * x.v + cubic.slope_end * y.v;
   v_out = cubic.begin * x.v + cubic.end * y.v + cubic.slope_begin * x.a + cubic.slope_end * y.a;
-  if (const SpringRelief& relief = equations_.solver.relief(); equations_.springs.any() && !keeps_rates()) {
+  if (const SpringRelief& relief = equations_.solver.layout().relief; equations_.springs.any() && !keeps_rates()) {
     const Eigen::MatrixXd change = change_at_begin();
     relief.add_way(-1, cubic.slope_begin * change.col(0), u_out);
     relief.add_way(-1, cubic.begin * change.col(0) + cubic.slope_begin * change.col(1), v_out);
@@ -134,15 +134,15 @@ void DenseOutput::interpolate_acceleration(double time, Eigen::VectorXd& out) co
   }
   const Parabola parabola((time - x.time) / h);
   out = parabola.begin * x.a + parabola.middle * middle() + parabola.end * y.a;
-  if (const SpringRelief& relief = equations_.solver.relief(); equations_.springs.any() && !keeps_rates())
+  if (const SpringRelief& relief = equations_.solver.layout().relief; equations_.springs.any() && !keeps_rates())
     relief.add_way(-1, parabola.begin * change_at_begin().col(1), out);
 }
 
 const Eigen::VectorXd& DenseOutput::middle() const {
   if (std::exchange(has_middle_, true)) return middle_;
   equations_.solver.recover(history_.kept().a_middle);
-  equations_.solver.physical(history_.kept().a_middle, middle_);
-  if (const SpringRelief& relief = equations_.solver.relief();
+  middle_ = equations_.solver.physical(history_.kept().a_middle);
+  if (const SpringRelief& relief = equations_.solver.layout().relief;
       equations_.springs.any() && !history_.kept().springs_stay)
     relief.add_way(-0.5, history_.kept().force_rates_begin.col(1) + history_.kept().end.force_rates.col(1), middle_);
   if (equations_.pseudo_forces.any()) {
@@ -186,7 +186,7 @@ void DenseOutput::interpolate_springs(double time, Eigen::VectorXd& forces) cons
                                     cubic.slope_end * y.force_rates.col(0);
   // The states use the cubic for every spring with relief; massless degrees of freedom stay in equilibrium with these
   // forces.
-  const SparseMatrix& flexibility = equations_.solver.relief().flexibility();
+  const SparseMatrix& flexibility = equations_.solver.layout().relief.flexibility();
   for (int i = 0; i < by_slopes.size(); ++i)
     if (flexibility.innerVector(i).nonZeros() > 0) forces[i] = by_slopes[i];
 }

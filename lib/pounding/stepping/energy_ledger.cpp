@@ -29,13 +29,17 @@ void EnergyLedger::add_step(const Equations& equations, const Instant& x, const 
     input_ += equations.short_motions.work(x, kept);
   }
   double input = 0, damping = 0;
-  const int counted = equations.solver.counted();
-  for (int i = 0; i < counted; ++i) damping += simpson_sum(v0[i], cv0[i], vm[i], cvm[i], v1[i], cv1[i]);
+  const std::vector<StructureSolver::Segment>& segments = equations.solver.layout().segments;
+  for (const StructureSolver::Segment& s : segments)
+    for (int i = s.first; i < s.first + s.count; ++i)
+      damping += simpson_sum(v0[i], cv0[i], vm[i], cvm[i], v1[i], cv1[i]);
   for (Eigen::Index k = 0; k < load.cols(); ++k) {
     const double* p = load.col(k).data();
     const double begin = x.ground[k], middle = kept.ground_middle[k], end = y.ground[k];
     if (k > 0 && begin == 0 && middle == 0 && end == 0) continue;
-    for (int i = 0; i < counted; ++i) input += p[i] * simpson_sum(begin, v0[i], middle, vm[i], end, v1[i]);
+    for (const StructureSolver::Segment& s : segments)
+      for (int i = s.first; i < s.first + s.count; ++i)
+        input += p[i] * simpson_sum(begin, v0[i], middle, vm[i], end, v1[i]);
   }
   input_ -= h / 6 * input;
   damping_ += h / 6 * damping;
@@ -58,9 +62,11 @@ Energies EnergyLedger::energies(const Equations& equations, const Instant& now) 
   const Eigen::MatrixXd& x = now.motion;
   Eigen::VectorXd momentum(solver.size());
   solver.mass_times(x.col(v), momentum);
-  const int n = solver.counted();
-  std::vector<double> sums{input_, damping_, 0.5 * momentum.head(n).dot(x.col(v).head(n)),
-                           0.5 * x.col(u).head(n).dot(x.col(ku).head(n))};
+  std::vector<double> sums{input_, damping_, 0, 0};
+  for (const StructureSolver::Segment& s : solver.layout().segments) {
+    sums[2] += 0.5 * momentum.segment(s.first, s.count).dot(x.col(v).segment(s.first, s.count));
+    sums[3] += 0.5 * x.col(u).segment(s.first, s.count).dot(x.col(ku).segment(s.first, s.count));
+  }
   solver.combine(sums);
   Energies e;
   e.input = given_ + on_ground_ + sums[0];
@@ -68,9 +74,7 @@ Energies EnergyLedger::energies(const Equations& equations, const Instant& now) 
   e.kinetic = sums[2];
   e.strain = sums[3];
   if (equations.pseudo_forces.any()) {
-    Eigen::VectorXd whole;
-    solver.physical(x.col(u), whole);
-    e.strain += equations.pseudo_forces.energy(whole);
+    e.strain += equations.pseudo_forces.energy(solver.physical(x.col(u)));
   }
   const LinkMemory& memory = equations.links.memory();
   for (std::size_t i = 0; i < equations.system.elements.size(); ++i) {

@@ -32,7 +32,7 @@ RigidContacts rigid_contacts(const System& system, const StructureSolver& solver
 Equations::Equations(const System& of_system, StructureSolver& of_solver, bool carries)
     : system(checked(of_system)),
       solver(of_solver),
-      links(of_system, of_solver.relief()),
+      links(of_system, of_solver.layout().relief),
       springs(links),
       ranges(links),
       slips(links),
@@ -41,7 +41,7 @@ Equations::Equations(const System& of_system, StructureSolver& of_solver, bool c
       pseudo_forces(of_system),
       rigid(rigid_contacts(of_system, of_solver)),
       width(carries ? 4 : 3) {
-  for (const StructureSolver::Segment& segment : solver.segments()) own_groups_.push_back(segment.group);
+  for (const StructureSolver::Segment& segment : solver.layout().segments) own_groups_.push_back(segment.group);
 }
 
 Instant Equations::zero_instant() const {
@@ -79,12 +79,14 @@ Trial Equations::zero_trial() const {
 void Equations::multiply(Instant& x, int first, int count) const {
   using enum Instant::Column;
   const int damped = std::max(first, static_cast<int>(v));
-  solver.stiffness_and_damping_times(x.motion.middleCols(first, count), x.motion.middleCols(ku + first, count),
-                                     x.motion.middleCols(cv + damped - v, first + count - damped));
+  const int last = first + count;
+  solver.stiffness_times(x.motion.middleCols(first, count), x.motion.middleCols(ku + first, count));
+  solver.damping_times(x.motion.middleCols(damped, last - damped), x.motion.middleCols(ku + damped, last - damped),
+                       x.motion.middleCols(cv + damped - v, last - damped));
 }
 
 void Equations::pseudo_force(Eigen::Ref<const Eigen::VectorXd> displacement, Eigen::VectorXd& force) {
-  solver.physical(displacement, whole_);
+  whole_ = solver.physical(displacement);
   pseudo_forces.evaluate(own_groups_, whole_, whole_force_);
   force.setZero(solver.size());
   solver.add_physical_forces(whole_force_, force);
@@ -134,7 +136,8 @@ void Equations::balance(std::span<const LinkMotion> motions, const Eigen::Matrix
 
 void Equations::balance(Instant& x) {
   using enum Instant::Column;
-  solver.stiffness_and_damping_times(x.motion.col(v), x.motion.col(kv), x.motion.col(cv));
+  solver.stiffness_times(x.motion.col(v), x.motion.col(kv));
+  solver.damping_times(x.motion.col(v), x.motion.col(kv), x.motion.col(cv));
   gather(x);
   supports.accelerations(x.time, x.ground);
   x.ground_carried = x.ground;

@@ -91,11 +91,11 @@ double ErrorNorm::ratio(Trial& trial, const StepError& error, const std::vector<
 // Largest relative error of all groups.
 double ErrorNorm::group_error(Trial& trial, const StepError& error) {
   const StructureSolver& solver = equations_.solver;
-  const double* w = solver.weights().data();
+  const double* w = solver.layout().weights.data();
   const double *u1 = trial.end.at(Instant::u), *v1 = trial.end.at(Instant::v);
   const double *error_u = error.u.data(), *error_v = error.v.data();
   std::fill(sums_.begin(), sums_.end(), 0.0);
-  for (const StructureSolver::Segment& s : solver.segments()) {
+  for (const StructureSolver::Segment& s : solver.layout().segments) {
     double eu = 0, ev = 0, uu = 0, vv = 0;
     for (int i = s.first; i < s.first + s.count; ++i) {
       eu += w[i] * error_u[i] * error_u[i];
@@ -108,12 +108,12 @@ double ErrorNorm::group_error(Trial& trial, const StepError& error) {
   }
   if (trial.short_motions) {
     const Eigen::VectorXd slow = trial.end.motion.col(Instant::v) + equations_.short_motions.velocity_at_end(trial);
-    for (const StructureSolver::Segment& s : solver.segments())
+    for (const StructureSolver::Segment& s : solver.layout().segments)
       for (int i = s.first; i < s.first + s.count; ++i) sums_[sums_of_group * s.group + 4] += w[i] * slow[i] * slow[i];
   }
   solver.combine(sums_);
   double square = 0, all = 0;
-  const double* const masses = solver.group_masses().data();
+  const double* const masses = solver.layout().group_masses.data();
   const std::vector<double>& slow_velocity = equations_.short_motions.any() ? slow_velocity_ : scales_.velocity;
   for (std::size_t k = 0, groups = scales_.displacement.size(); k < groups; ++k) {
     const double* sums = sums_.data() + sums_of_group * k;
@@ -137,7 +137,7 @@ double ErrorNorm::contact_error(int contact, Eigen::Index row, const Trial& tria
   const LinkMotion end = equations_.links.motion(contact, trial.end);
   double wide_d = 0, wide_r = 0;  // of the linked bodies
   for (const int k : link_groups_[contact]) {
-    const double mass = equations_.solver.group_masses()[k];
+    const double mass = equations_.solver.layout().group_masses[k];
     wide_d += std::max(scales_.displacement[k], std::sqrt(trial.squares_u[k] / mass));
     wide_r += std::max(scales_.velocity[k], std::sqrt(trial.squares_v[k] / mass));
   }
@@ -156,7 +156,8 @@ double ErrorNorm::slip_error(int slip, const Trial& trial, double error) const {
   const double part = std::max(min_contact_penetration, rounding / allowed_);
   double wide = 0;  // of the linked bodies
   for (const int k : link_groups_[equations_.links.contacts() + slip])
-    wide += std::max(scales_.displacement[k], std::sqrt(trial.squares_u[k] / equations_.solver.group_masses()[k]));
+    wide +=
+        std::max(scales_.displacement[k], std::sqrt(trial.squares_u[k] / equations_.solver.layout().group_masses[k]));
   // Between two fixed ends, only the spring's own motion defines the scale.
   const double scale = std::max({stretch_scale_[slip], stretch(slip, trial.end), part * wide});
   return scale > 0 ? std::abs(error) / scale : 0;
@@ -164,9 +165,9 @@ double ErrorNorm::slip_error(int slip, const Trial& trial, double error) const {
 
 void ErrorNorm::measure(const Instant& x, std::vector<double>& squares_u, std::vector<double>& squares_v) {
   const StructureSolver& solver = equations_.solver;
-  const Eigen::VectorXd& w = solver.weights();
+  const Eigen::VectorXd& w = solver.layout().weights;
   std::fill(sums_.begin(), sums_.end(), 0.0);
-  for (const StructureSolver::Segment& s : solver.segments())
+  for (const StructureSolver::Segment& s : solver.layout().segments)
     for (int i = s.first; i < s.first + s.count; ++i) {
       const double ui = x.at(Instant::u)[i], vi = x.at(Instant::v)[i];
       sums_[sums_of_group * s.group + 2] += w[i] * ui * ui;
@@ -180,7 +181,7 @@ void ErrorNorm::measure(const Instant& x, std::vector<double>& squares_u, std::v
 }
 
 void ErrorNorm::raise(std::vector<double>& scales, const std::vector<double>& squares) const {
-  const double* const masses = equations_.solver.group_masses().data();
+  const double* const masses = equations_.solver.layout().group_masses.data();
   for (std::size_t k = 0; k < scales.size(); ++k)
     if (squares[k] > scales[k] * scales[k] * masses[k]) scales[k] = std::sqrt(squares[k] / masses[k]);
 }
@@ -222,8 +223,8 @@ double ErrorNorm::relative_size(const Eigen::VectorXd& change, const Eigen::Vect
   const StructureSolver& solver = equations_.solver;
   const std::size_t groups = rest_size_.size();
   std::vector<double> sums(2 * groups, 0.0);
-  const Eigen::VectorXd& w = solver.weights();
-  for (const StructureSolver::Segment& s : solver.segments())
+  const Eigen::VectorXd& w = solver.layout().weights;
+  for (const StructureSolver::Segment& s : solver.layout().segments)
     for (int i = s.first; i < s.first + s.count; ++i) {
       sums[2 * s.group] += w[i] * change[i] * change[i];
       sums[2 * s.group + 1] += w[i] * displacement[i] * displacement[i];
@@ -231,7 +232,7 @@ double ErrorNorm::relative_size(const Eigen::VectorXd& change, const Eigen::Vect
   solver.combine(sums);
   double worst = 0;
   for (std::size_t k = 0; k < groups; ++k) {
-    const double mass = solver.group_masses()[k];
+    const double mass = solver.layout().group_masses[k];
     const double size = std::max({scales_.displacement[k], rest_size_[k], std::sqrt(sums[2 * k + 1] / mass)});
     const double ratio = std::sqrt(sums[2 * k] / mass) / size;
     if (!(ratio <= worst)) worst = ratio;
@@ -243,13 +244,13 @@ double ErrorNorm::min_energy() const {
   double energy = 0;
   for (std::size_t k = 0; k < rest_size_.size(); ++k) {
     const double velocity = equations_.system.groups[k].velocity_floor;
-    energy += 0.5 * equations_.solver.group_masses()[k] * velocity * velocity;
+    energy += 0.5 * equations_.solver.layout().group_masses[k] * velocity * velocity;
   }
   return energy;
 }
 
 double ErrorNorm::product(const Eigen::VectorXd& p, const Eigen::VectorXd& q) const {
-  double sum = (equations_.solver.weights().array() * p.array() * q.array()).sum();
+  double sum = (equations_.solver.layout().weights.array() * p.array() * q.array()).sum();
   equations_.solver.combine({&sum, 1});
   return sum;
 }

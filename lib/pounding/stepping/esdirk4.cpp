@@ -158,7 +158,8 @@ class Esdirk4Scheme final : public TimeScheme {
       link_accelerations_(solver_.active()[k], i) = solver_.link_acceleration(k);
     if (eq_.slips.any()) find_slip_rates(i, stage);
     if (last) return true;
-    eq_.solver.stiffness_and_damping_times(acceleration(i), stages_.col(3 * i + 1), stages_.col(3 * i + 2));
+    eq_.solver.stiffness_times(acceleration(i), stages_.col(3 * i + 1));
+    eq_.solver.damping_times(acceleration(i), stages_.col(3 * i + 1), stages_.col(3 * i + 2));
     return true;
   }
 

@@ -23,14 +23,15 @@ ShortMotions::ShortMotions(const System& system, const StructureSolver& solver) 
   for (int k = 0; k < static_cast<int>(system.grounds.size()); ++k) {
     const double period = system.grounds[k].shortest_period();
     if (!std::isfinite(period)) continue;
-    shift = solver.load().col(k);
+    shift = solver.layout().load.col(k);
     solver.accelerate(shift);
     solver.recover(shift);
     solver.stiffness_times(shift, stiffness);
     std::vector<double> sums(2 * groups, 0.0);
-    for (const StructureSolver::Segment& s : solver.segments()) {
+    for (const StructureSolver::Segment& s : solver.layout().segments) {
       sums[2 * s.group] += shift.segment(s.first, s.count).dot(stiffness.segment(s.first, s.count));
-      sums[2 * s.group + 1] += shift.segment(s.first, s.count).dot(solver.load().col(k).segment(s.first, s.count));
+      sums[2 * s.group + 1] +=
+          shift.segment(s.first, s.count).dot(solver.layout().load.col(k).segment(s.first, s.count));
     }
     solver.combine(sums);
     const auto is_short = [&](int group) {
@@ -43,9 +44,9 @@ ShortMotions::ShortMotions(const System& system, const StructureSolver& solver) 
     bool any = false;
     for (int group = 0; group < static_cast<int>(groups); ++group) any = any || is_short(group);
     if (!any) continue;
-    if (index_.empty()) other_load_ = solver.load();
+    if (index_.empty()) other_load_ = solver.layout().load;
     Eigen::VectorXd load = Eigen::VectorXd::Zero(n);
-    for (const StructureSolver::Segment& s : solver.segments()) {
+    for (const StructureSolver::Segment& s : solver.layout().segments) {
       if (is_short(s.group))
         load.segment(s.first, s.count) = other_load_.col(k).segment(s.first, s.count);
       else
@@ -62,15 +63,16 @@ ShortMotions::ShortMotions(const System& system, const StructureSolver& solver) 
   if (!any()) return;
   stiffness_.resize(n, shift_.cols());
   damping_.resize(n, shift_.cols());
-  solver.stiffness_and_damping_times(shift_, stiffness_, damping_);
+  solver.stiffness_times(shift_, stiffness_);
+  solver.damping_times(shift_, stiffness_, damping_);
   solver.gather(shift_, closing_);
   coupling_ = load_.transpose() * shift_;
-  // The error-estimating shadow integrates these motions like the structures they are short for; its work is not
-  // counted.
-  Eigen::MatrixXd at_work = shift_;
-  at_work.bottomRows(n - solver.counted()).setZero();
-  springs_ = at_work.transpose() * stiffness_;
-  dashpots_ = at_work.transpose() * damping_;
+  springs_ = dashpots_ = Eigen::MatrixXd::Zero(shift_.cols(), shift_.cols());
+  for (const StructureSolver::Segment& s : solver.layout().segments) {
+    const Eigen::MatrixXd own = shift_.middleRows(s.first, s.count).transpose();
+    springs_ += own * stiffness_.middleRows(s.first, s.count);
+    dashpots_ += own * damping_.middleRows(s.first, s.count);
+  }
 }
 
 Eigen::MatrixXd ShortMotions::at(double time, const Eigen::VectorXd& ground, const Instant& begin) const {

@@ -51,7 +51,7 @@ class ShortMotions {
   /// Work of the short motions in an accepted step [J]; of the coordinates on this process.
   double work(const Instant& begin, const Trial& kept) const;
   /// P without the load of the short motions.
-  const Eigen::MatrixXd& other_load() const { return any() ? other_load_ : solver_.load(); }
+  const Eigen::MatrixXd& other_load() const { return any() ? other_load_ : solver_.layout().load; }
 
  private:
   bool acts(std::size_t motion, double step_begin) const {

@@ -129,7 +129,7 @@ void Stepper::load_elements(const Eigen::VectorXd& rest, const std::function<Lin
 }
 
 double Stepper::step_towards(double wanted, double left) const {
-  if (!equations_.solver.prefers_dyadic_steps()) {
+  if (equations_.solver.layout().step_lengths == StepLengths::any) {
     // Sixteen lengths per octave, so that round-off in the error does not change the length of the next step.
     constexpr std::uint64_t exponent_and_four_bits = 0xffff'0000'0000'0000;
     const double even =

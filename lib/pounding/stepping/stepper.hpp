@@ -77,7 +77,7 @@ class Stepper {
   std::optional<double> locate_event(bool at_corners = true);
   /// True if steps should end at corners of spring laws; false if a step of arbitrary length needs its own
   /// factorization.
-  bool locates_corners() const { return !equations_.solver.needs_dyadic_steps(); }
+  bool locates_corners() const { return equations_.solver.layout().step_lengths != StepLengths::needs_dyadic; }
   /// Accepts the trial and applies the events at its end.
   void accept();
   /// Applies the events at the present state without a step, after locate_event() returned zero.
@@ -185,7 +185,7 @@ class Stepper {
 
   void look_ahead();
   std::optional<int> step_level(double h) const {
-    return equations_.solver.prefers_dyadic_steps() ? dyadic_.level(h) : std::nullopt;
+    return equations_.solver.layout().step_lengths == StepLengths::any ? std::nullopt : dyadic_.level(h);
   }
   bool solve_trial();
   void start_elements(const std::function<LinkMotion(int)>& motion_of);

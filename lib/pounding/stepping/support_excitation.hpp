@@ -44,7 +44,7 @@ class SupportExcitation {
   /// P ag for ground accelerations; overwritten by the next call.
   const Eigen::VectorXd& push(const Eigen::VectorXd& ground) {
     // The loops store with the width of the reads that follow: a wider read of freshly stored values would stall.
-    const Eigen::MatrixXd& load = solver_.load();
+    const Eigen::MatrixXd& load = solver_.layout().load;
     const int n = solver_.size();
     double* const sum = push_.data();
     for (Eigen::Index k = 0; k < ground.size(); ++k) {
