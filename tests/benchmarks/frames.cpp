@@ -205,7 +205,7 @@ struct Solve {
   petsc::Handle<Vec> u, v;
 
   Solve(Stepper& stepper, double end, double step) {
-    const State& now = stepper.state();
+    const State& now = stepper.view().state();
     check(petsc::register_ts_pounding());
     check(TSCreate(PETSC_COMM_SELF, ts.out()));
     check(TSSetOptionsPrefix(ts, "pounding_"));
@@ -222,7 +222,7 @@ struct Solve {
     check(TSSetMaxTime(ts, end));
     check(TSSetMaxSteps(ts, PETSC_MAX_INT));
     check(TSSetExactFinalTime(ts, TS_EXACTFINALTIME_MATCHSTEP));
-    check(TSSetTolerances(ts, 0, nullptr, stepper.options().tolerance, nullptr));
+    check(TSSetTolerances(ts, 0, nullptr, stepper.view().options().tolerance, nullptr));
     check(TSSetTimeStep(ts, step));
     check(petsc::set_stepper(ts, &stepper));
     check(petsc::set_lazy_vectors(ts, PETSC_TRUE));
@@ -245,12 +245,12 @@ struct Watch {
   Eigen::VectorXd u, v;
 
   void look() {
-    const State& now = stepper.state();
+    const State& now = stepper.view().state();
     for (int k = 0; k < 2; ++k) largest[k] = std::max(largest[k], std::abs(now.u[tops[k]]));
     while (sample * static_cast<double>(displacement[0].size()) <= now.time + 1e-9) {
-      stepper.interpolate(sample * static_cast<double>(displacement[0].size()), u, v);
+      stepper.view().interpolate(sample * static_cast<double>(displacement[0].size()), u, v);
       for (int k = 0; k < 2; ++k) displacement[k].push_back(u[tops[k]]);
-      const Energies e = stepper.energies();
+      const Energies e = stepper.view().energies();
       input = std::max(input, e.input);
       imbalance = std::max(imbalance, std::abs(e.input - e.kinetic - e.strain - e.damping - e.hysteretic - e.impact));
     }
@@ -296,7 +296,7 @@ nlohmann::json plane(const Words& arguments) {
   check(TSGetStepRejections(solve.ts, &rejected));
   std::vector<double> peaks;
   std::vector<int> impacts;
-  for (const ContactMemory& contact : stepper.memory().contacts) {
+  for (const ContactMemory& contact : stepper.view().memory().contacts) {
     double peak = 0;
     for (const ImpactRow& row : contact.impacts()) peak = std::max(peak, row.peak_force);
     peaks.push_back(peak);
@@ -308,7 +308,7 @@ nlohmann::json plane(const Words& arguments) {
           {"seconds_setup", setup},
           {"steps", steps},
           {"rejected", rejected},
-          {"events", stepper.events()},
+          {"events", stepper.view().events()},
           {"peaks", peaks},
           {"impacts", impacts},
           {"peak_displacement", {{"left", watch.largest[0]}, {"right", watch.largest[1]}}},
@@ -430,7 +430,7 @@ nlohmann::json space(const Words& arguments) {
           {"links", pair.contacts.size()},
           {"links_in_contact", pressed},
           {"steps", timed.size()},
-          {"events", stepper.events()},
+          {"events", stepper.view().events()},
           {"seconds_per_step", median(timed)},
           {"seconds_per_step_mean", total / static_cast<double>(timed.size())},
           {"seconds_per_solve", median(solves)},

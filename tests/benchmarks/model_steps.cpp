@@ -49,10 +49,10 @@ struct StepClock {
 
   void take(double time) {
     const double seconds = seconds_since(last);
-    const auto pressed = std::ranges::count_if(stepper.memory().contacts,
+    const auto pressed = std::ranges::count_if(stepper.view().memory().contacts,
                                                [](const ContactMemory& contact) { return presses(contact.phase()); });
-    if (stepper.events() == events) taken[{std::lround(1e9 * (time - begin)), pressed}].push_back(seconds);
-    events = stepper.events();
+    if (stepper.view().events() == events) taken[{std::lround(1e9 * (time - begin)), pressed}].push_back(seconds);
+    events = stepper.view().events();
     begin = time;
     last = Clock::now();
   }
@@ -95,7 +95,7 @@ nlohmann::json measure(const std::string& file) {
   check(petsc::set_stepper(setup.ts, &stepper));
   check(petsc::set_lazy_vectors(setup.ts, PETSC_TRUE));
   stepper.start(0, u, v);
-  stepper.prepare(stepper.step_towards(settings.first_step, settings.duration));
+  stepper.prepare(stepper.view().step_towards(settings.first_step, settings.duration));
   const double seconds_setup = seconds_since(start);
   StepClock clock{stepper, system};
   check(TSSetApplicationContext(setup.ts, &clock));
@@ -106,7 +106,7 @@ nlohmann::json measure(const std::string& file) {
   PetscInt steps = 0;
   check(TSGetStepNumber(setup.ts, &steps));
   return {{"solver", solver->description()}, {"sorts", clock.sorts()}, {"steps", steps},
-          {"events", stepper.events()},      {"seconds", seconds},     {"seconds_setup", seconds_setup}};
+          {"events", stepper.view().events()},      {"seconds", seconds},     {"seconds_setup", seconds_setup}};
 }
 
 }  // namespace

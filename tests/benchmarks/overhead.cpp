@@ -89,7 +89,7 @@ Result run(Scheme::Kind scheme, double gap, double end, double longest, bool fix
   const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
   PetscInt steps = 0;
   check(TSGetStepNumber(ts, &steps));
-  return {seconds / static_cast<double>(steps), steps, stepper.events()};
+  return {seconds / static_cast<double>(steps), steps, stepper.view().events()};
 }
 
 }  // namespace

@@ -542,13 +542,13 @@ Trajectory march(Pair& pair, StructureSolver& base, Scheme scheme, double until)
   Trajectory run;
   StepController controller(stepper);
   FixedSteps policy;
-  while (stepper.time() < until - 1e-9)
-    controller.advance(h, std::min(until, h * (std::floor(stepper.time() / h + 1e-6) + 1)), policy);
-  run.end = stepper.state();
-  run.seen = stepper.outputs().motion.col(0);
-  const Energies e = stepper.energies();
+  while (stepper.view().time() < until - 1e-9)
+    controller.advance(h, std::min(until, h * (std::floor(stepper.view().time() / h + 1e-6) + 1)), policy);
+  run.end = stepper.view().state();
+  run.seen = stepper.view().outputs().motion.col(0);
+  const Energies e = stepper.view().energies();
   run.imbalance = 1 - (e.kinetic + e.strain + e.damping + e.impact) / e.input;
-  for (const ContactMemory& contact : stepper.memory().contacts)
+  for (const ContactMemory& contact : stepper.view().memory().contacts)
     for (const ImpactRow& row : contact.impacts()) {
       run.peaks.push_back(row.peak_force);
       ++run.impacts;

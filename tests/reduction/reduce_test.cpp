@@ -86,15 +86,15 @@ Seen follow(const Reduction& left, const Reduction& right) {
   seen.floors.resize(pair.system.outputs.cols(), 40);
   double h = 1e-4;
   for (int sample = 0; sample < 40; ++sample) {
-    while (stepper.time() < 0.1 * (sample + 1)) h = controller.advance(h, 0.1 * (sample + 1), policy);
-    seen.floors.col(sample) = stepper.outputs().motion.col(0);
+    while (stepper.view().time() < 0.1 * (sample + 1)) h = controller.advance(h, 0.1 * (sample + 1), policy);
+    seen.floors.col(sample) = stepper.view().outputs().motion.col(0);
   }
-  for (const ContactMemory& contact : stepper.memory().contacts) {
+  for (const ContactMemory& contact : stepper.view().memory().contacts) {
     seen.impacts += contact.impacts().size();
     for (const ImpactRow& row : contact.impacts()) seen.peak = std::max(seen.peak, row.peak_force);
   }
   seen.description = solver->description();
-  seen.energies = stepper.energies();
+  seen.energies = stepper.view().energies();
   return seen;
 }
 

@@ -94,13 +94,13 @@ TEST(ReducedHinges, StayInEquilibriumWhileTheyYield) {
   const StepperOptions options{.tolerance = 1e-4, .max_step = 0.01};
   const test::HingeFrameRun run =
       test::run_hinge_frame(reduced.frame, *reduced.solver, options, 2, 0, [&](StepController& controller) {
-        const State& state = controller.stepper().state();
+        const State& state = controller.stepper().view().state();
         loads = system.stiffness * state.u + system.gap_jacobian * state.force;
         const Eigen::VectorXd turns = system.gap_jacobian.transpose() * state.u;
         for (int i = 0; i < system.size(); ++i)
           if (system.mass.coeff(i, i) == 0) unbalanced = std::max(unbalanced, std::abs(loads[i]));
         for (int i = 0; i < reduced.frame.hinges(); ++i)
-          apart = std::max(apart, std::abs(controller.stepper().link_motion(i).penetration - turns[i]));
+          apart = std::max(apart, std::abs(controller.stepper().view().link_motion(i).penetration - turns[i]));
         turned = std::max(turned, turns.cwiseAbs().maxCoeff());
         largest_way =
             std::max(largest_way, (reduced.solver->layout().relief.flexibility() * state.force).cwiseAbs().maxCoeff());

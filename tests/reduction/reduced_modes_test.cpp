@@ -322,10 +322,10 @@ class Rod {
     StepController controller(stepper);
     ErrorControl policy(1e-3);
     double worst = 0, largest = 0;
-    for (double h = 1e-6; stepper.time() < end;) {
+    for (double h = 1e-6; stepper.view().time() < end;) {
       h = controller.advance(h, end, policy);
-      worst = std::max(worst, std::abs(stepper.link_forces()[0] - closed_form(stepper.time())));
-      largest = std::max(largest, std::abs(closed_form(stepper.time())));
+      worst = std::max(worst, std::abs(stepper.view().link_forces()[0] - closed_form(stepper.view().time())));
+      largest = std::max(largest, std::abs(closed_form(stepper.view().time())));
     }
     return worst / largest;
   }

@@ -90,30 +90,30 @@ struct Followed {
     StepController controller(*stepper);
     ErrorControl policy(0.01);
     double h = 1e-4;
-    while (stepper->time() < 2) {
+    while (stepper->view().time() < 2) {
       h = controller.advance(h, 2, policy);
       look();
     }
   }
 
   void look() {
-    const Instant& end = stepper->instant_end_minus();
-    Eigen::MatrixXd closings = end.relative, motion = stepper->outputs_end_minus().motion.leftCols(2);
+    const Instant& end = stepper->view().instant_end_minus();
+    Eigen::MatrixXd closings = end.relative, motion = stepper->view().outputs_end_minus().motion.leftCols(2);
     if (shadowed) {
       shadowed->gather_shadow(end.motion.leftCols(2), closings);
       shadowed->observe_shadow(end.motion.leftCols(2), motion);
     }
-    const Eigen::MatrixXd& own = stepper->outputs_end_minus().motion;
+    const Eigen::MatrixXd& own = stepper->view().outputs_end_minus().motion;
     stray_floors = std::max(stray_floors, (own.leftCols(2) - motion).col(0).cwiseAbs().maxCoeff());
     largest = std::max(largest, own.col(0).cwiseAbs().maxCoeff());
     for (int i = 0; i < system.contact_count(); ++i) {
-      const double force = stepper->link_steps()[i].force_end;
+      const double force = stepper->view().link_steps()[i].force_end;
       hardest = std::max(hardest, force);
       if (force > 0) stray = std::max(stray, std::abs(end.relative(i, 0) - closings(i, 0)));
     }
     for (const Friction& friction : system.frictions) {
-      if (!(stepper->link_steps()[friction.contact].force_end > 0)) continue;
-      hardest_friction = std::max(hardest_friction, std::abs(stepper->link_steps()[friction.first].force_end));
+      if (!(stepper->view().link_steps()[friction.contact].force_end > 0)) continue;
+      hardest_friction = std::max(hardest_friction, std::abs(stepper->view().link_steps()[friction.first].force_end));
       stray_sliding = std::max(stray_sliding, std::abs(end.relative(friction.first, 1) - closings(friction.first, 1)));
     }
   }
@@ -126,8 +126,8 @@ TEST_P(Shadow, LeavesTheBitsOfTheRun) {
   ASSERT_GT(with.hardest, 1e5);
   EXPECT_GT(with.solver->size(), without.solver->size());
   EXPECT_EQ(with.hardest, without.hardest);
-  EXPECT_EQ(with.stepper->outputs().motion, without.stepper->outputs().motion);
-  const Energies a = with.stepper->energies(), b = without.stepper->energies();
+  EXPECT_EQ(with.stepper->view().outputs().motion, without.stepper->view().outputs().motion);
+  const Energies a = with.stepper->view().energies(), b = without.stepper->view().energies();
   EXPECT_EQ(a.input, b.input);
   EXPECT_EQ(a.damping, b.damping);
   EXPECT_EQ(a.kinetic, b.kinetic);

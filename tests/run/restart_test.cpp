@@ -206,14 +206,14 @@ TEST(ResumeInEveryStepOfAContact, FindsTheSamePeakAccelerations) {
   const std::string yaml = test::two_oscillators("hertz_damped, stiffness: 2.75e9, restitution: 0.65", 1e-4, 1.5);
   Recorded whole(yaml);
   int compared = 0;
-  while (whole.stepper.time() < 0.62) {
+  while (whole.stepper.view().time() < 0.62) {
     Archive state;
     whole.archive(state);
     Archive saved(state.bytes());
     Recorded continued(yaml);
     continued.results = whole.results;  // histories over time, which a file contains
     continued.archive(saved);
-    const bool presses = whole.stepper.in_contact();
+    const bool presses = whole.stepper.view().in_contact();
     whole.step();
     if (!presses) continue;
     continued.step();

@@ -101,13 +101,13 @@ struct Followed {
     stepper = std::make_unique<Stepper>(system, *solver, StepperOptions{.tolerance = tolerance, .max_step = 0.01});
     stepper->start(time, u, v);
     windows = std::make_unique<ImpactWindows>(
-        *stepper, std::vector<bool>(static_cast<std::size_t>(system.contact_count()), true));
+        stepper->view(), std::vector<bool>(static_cast<std::size_t>(system.contact_count()), true));
   }
   // Maximum forces in the first impact of every contact [N].
   Eigen::VectorXd first_peaks() const {
     Eigen::VectorXd first(system.contact_count());
     for (int i = 0; i < system.contact_count(); ++i) {
-      const std::span<const ImpactRow> impacts = stepper->memory().contacts[static_cast<std::size_t>(i)].impacts();
+      const std::span<const ImpactRow> impacts = stepper->view().memory().contacts[static_cast<std::size_t>(i)].impacts();
       EXPECT_FALSE(impacts.empty());
       first[i] = impacts.empty() ? 0 : impacts[0].peak_force;
     }
@@ -117,15 +117,15 @@ struct Followed {
     StepController controller(*stepper);
     ErrorControl policy(0.01);
     double h = 1e-5;
-    while (stepper->time() < end) {
+    while (stepper->view().time() < end) {
       h = controller.advance(h, end, policy);
       windows->step();
-      floors.emplace_back(stepper->outputs_end_minus().motion.col(0));
-      times.push_back(stepper->time());
+      floors.emplace_back(stepper->view().outputs_end_minus().motion.col(0));
+      times.push_back(stepper->view().time());
       largest = std::max(largest, floors.back().cwiseAbs().maxCoeff());
       forces.push_back(0);
       for (int i = 0; i < system.contact_count(); ++i) {
-        const LinkStep& step = stepper->link_step(i);
+        const LinkStep& step = stepper->view().link_step(i);
         forces.back() = std::max({forces.back(), step.force_begin, step.force_middle, step.force_end});
       }
     }
@@ -259,17 +259,17 @@ TEST(ImpactWindowsOfARun, GoOnFromAnArchive) {
   const auto go = [](Followed& run, double end, double& h) {
     StepController controller(*run.stepper);
     ErrorControl policy(0.01);
-    while (run.stepper->time() < end) {
+    while (run.stepper->view().time() < end) {
       h = controller.advance(h, end, policy);
       run.windows->step();
     }
   };
   double h = 1e-5, other = 1e-5;
   go(whole, 0.012, h), go(parts, 0.012, other);
-  ASSERT_TRUE(parts.stepper->in_contact());
+  ASSERT_TRUE(parts.stepper->view().in_contact());
   Archive saved;
   parts.windows->archive(saved);
-  parts.windows = std::make_unique<ImpactWindows>(*parts.stepper, std::vector<bool>(2, true));
+  parts.windows = std::make_unique<ImpactWindows>(parts.stepper->view(), std::vector<bool>(2, true));
   Archive read(saved.bytes());
   parts.windows->archive(read);
   read.expect_end();

@@ -91,18 +91,18 @@ TEST_P(WithFriction, ABlockSlidesToRest) {
     Stepper stepper(block.system, base, {.tolerance = 1e-5, .scheme = scheme, .max_step = 0.05});
     stepper.start(0, block.u, v0 * Eigen::VectorXd::Unit(2, 1));
     long tries = test::march(stepper, 0.5 * stop, 0.05);
-    book.near("time to an intermediate speed [s]", time_between(v0, stepper.state().v[1], sliding), 0.5 * stop,
+    book.near("time to an intermediate speed [s]", time_between(v0, stepper.view().state().v[1], sliding), 0.5 * stop,
               1e-5 * stop);
-    book.near("friction force [N]", stepper.state().force[1],
-              Block::coefficient * Block::pressed / std::hypot(1, sliding / stepper.state().v[1]),
+    book.near("friction force [N]", stepper.view().state().force[1],
+              Block::coefficient * Block::pressed / std::hypot(1, sliding / stepper.view().state().v[1]),
               1e-4 * Block::pressed);
     tries += test::march(stepper, 3 * stop, 0.05);
-    book.near("distance to rest [m]", stepper.state().u[1], way_to_rest(v0, sliding), 2e-5 * way_to_rest(v0, sliding));
-    book.below("speed after that [m/s]", std::abs(stepper.state().v[1]), 1e-5);
-    const double coulomb = 0.5 * v0 * stop, off = std::abs(stepper.state().u[1] - coulomb);
+    book.near("distance to rest [m]", stepper.view().state().u[1], way_to_rest(v0, sliding), 2e-5 * way_to_rest(v0, sliding));
+    book.below("speed after that [m/s]", std::abs(stepper.view().state().v[1]), 1e-5);
+    const double coulomb = 0.5 * v0 * stop, off = std::abs(stepper.view().state().u[1] - coulomb);
     EXPECT_LT(off, last) << "closer to Coulomb's law for a smaller sliding velocity";
     last = std::max(off, 2e-5 * coulomb);
-    book.near("work of the friction [J]", stepper.friction_work()[0], 0.5 * Block::mass * v0 * v0, 1e-4 * Block::mass);
+    book.near("work of the friction [J]", stepper.view().friction_work()[0], 0.5 * Block::mass * v0 * v0, 1e-4 * Block::mass);
     EXPECT_LT(tries, 20000) << "the transition to rest must not stall the steps";
   }
 }
@@ -115,7 +115,7 @@ TEST_P(WithFriction, SlidingInTwoDirectionsKeepsItsDirection) {
     Stepper stepper(block.system, base, {.tolerance = 1e-6, .scheme = scheme, .max_step = 0.01});
     stepper.start(0, block.u, v);
     test::march(stepper, end, 0.01);
-    return stepper.state();
+    return stepper.view().state();
   };
   const State one = run(plane, Eigen::Vector2d(0, 1)), two = run(space, Eigen::Vector3d(0, 0.6, -0.8));
   EXPECT_NEAR(two.u[1], 0.6 * one.u[1], 1e-6);
@@ -139,13 +139,13 @@ TEST_P(WithFriction, AWallThatSlidesTakesTheBlockAlong) {
   test::march(stepper, 0.2, 0.02);
   // For a wall with a sudden velocity it would be F t / m; here the wall accelerates over a short time.
   const double force = Block::coefficient * Block::pressed;
-  book.near("intermediate speed [m/s]", stepper.state().v[1], force / Block::mass * 0.2,
+  book.near("intermediate speed [m/s]", stepper.view().state().v[1], force / Block::mass * 0.2,
             0.01 * force / Block::mass * 0.2);
   test::march(stepper, 2, 0.02);
-  book.near("final speed [m/s]", stepper.state().v[1], speed, 1e-6);
-  const Energies e = stepper.energies();
+  book.near("final speed [m/s]", stepper.view().state().v[1], speed, 1e-6);
+  const Energies e = stepper.view().energies();
   EXPECT_NEAR(e.input, e.kinetic + e.strain + e.impact, 1e-5 * e.kinetic);
-  EXPECT_GT(stepper.friction_work()[0], 0.4 * e.kinetic);
+  EXPECT_GT(stepper.view().friction_work()[0], 0.4 * e.kinetic);
 }
 
 // An oblique impact of two masses in the plane: the normal is inclined, so that normal and friction forces are coupled
@@ -228,17 +228,17 @@ TEST_P(WithFriction, AnObliqueImpactIsThatOfAnIndependentIntegration) {
   Stepper stepper(problem.system, base, {.tolerance = 1e-6, .scheme = scheme, .max_step = 0.01});
   stepper.start(0, Eigen::Vector4d::Zero(), Eigen::Vector4d::Zero());
   test::march(stepper, end, 0.01);
-  EXPECT_GE(stepper.memory().contacts[0].impacts().size(), 3u);
-  book.below("oblique impact: displacements, difference over size [-]", (stepper.state().u - expected.head(4)).norm(),
+  EXPECT_GE(stepper.view().memory().contacts[0].impacts().size(), 3u);
+  book.below("oblique impact: displacements, difference over size [-]", (stepper.view().state().u - expected.head(4)).norm(),
              1e-5 * expected.head(4).norm());
   book.below("oblique impact: velocities, difference over size [-]",
-             (stepper.state().v - expected.segment(4, 4)).norm(), 1e-5 * expected.segment(4, 4).norm());
+             (stepper.view().state().v - expected.segment(4, 4)).norm(), 1e-5 * expected.segment(4, 4).norm());
   const double lost = 1e6 * expected[12];
   EXPECT_GT(lost, 1e3);
-  book.near("oblique impact: work of the friction [J]", stepper.friction_work()[0], lost, 1e-5 * lost);
-  const Energies e = stepper.energies();
+  book.near("oblique impact: work of the friction [J]", stepper.view().friction_work()[0], lost, 1e-5 * lost);
+  const Energies e = stepper.view().energies();
   EXPECT_NEAR(e.input, e.kinetic + e.strain + e.damping + e.impact, 1e-5 * lost);
-  EXPECT_DOUBLE_EQ(e.impact, stepper.friction_work()[0] + stepper.memory().contacts[0].log.work());
+  EXPECT_DOUBLE_EQ(e.impact, stepper.view().friction_work()[0] + stepper.view().memory().contacts[0].log.work());
 }
 
 // Constant normal force, so that friction is smooth: the block on a spring decelerates.
@@ -260,7 +260,7 @@ TEST_P(WithFriction, StepsKeepTheirOrder) {
     Stepper stepper(block.system, base, {.tolerance = 1e-3, .scheme = scheme, .max_step = h});
     stepper.start(0, block.u, Eigen::Vector2d(0, 1));
     test::march_evenly(stepper, end, h);
-    errors.push_back((Eigen::Vector2d(stepper.state().u[1], 0.2 * stepper.state().v[1]) -
+    errors.push_back((Eigen::Vector2d(stepper.view().state().u[1], 0.2 * stepper.view().state().v[1]) -
                       Eigen::Vector2d(expected[0], 0.2 * expected[1]))
                          .norm());
   }
@@ -271,12 +271,12 @@ TEST_P(WithFriction, StepsKeepTheirOrder) {
 std::vector<std::uint64_t> bits_of(const Stepper& stepper) {
   std::vector<double> all;
   const auto add = [&](const auto& values) { all.insert(all.end(), values.data(), values.data() + values.size()); };
-  for (const State* state : {&stepper.state(), &stepper.begin(), &stepper.end_minus()}) {
+  for (const State* state : {&stepper.view().state(), &stepper.view().begin(), &stepper.view().end_minus()}) {
     all.push_back(state->time);
     add(state->u), add(state->v), add(state->a), add(state->force);
   }
-  const Energies e = stepper.energies();
-  for (const double value : {e.input, e.kinetic, e.strain, e.damping, e.impact, stepper.friction_work()[0]})
+  const Energies e = stepper.view().energies();
+  for (const double value : {e.input, e.kinetic, e.strain, e.damping, e.impact, stepper.view().friction_work()[0]})
     all.push_back(value);
   std::vector<std::uint64_t> bits;
   for (const double value : all) bits.push_back(std::bit_cast<std::uint64_t>(value));

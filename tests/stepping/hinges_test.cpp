@@ -132,8 +132,8 @@ TEST_P(Hinges, ThatStayInTheirRangesMoveToTheBitAsByTheLongWay) {
       return run_hinge_frame(
           frame, solver, {.tolerance = 1e-4, .scheme = GetParam(), .max_step = 0.02}, end, 4,
           [&](StepController& controller) {
-            if (controller.stepper().springs_stayed()) ++stayed;
-            for (const LinkStep& step : controller.stepper().link_steps())
+            if (controller.stepper().view().springs_stayed()) ++stayed;
+            for (const LinkStep& step : controller.stepper().view().link_steps())
               for (const double value :
                    {step.motion_begin.penetration, step.motion_begin.rate, step.motion_middle.penetration,
                     step.motion_middle.rate, step.motion_end.penetration, step.motion_end.rate, step.force_begin,
@@ -194,10 +194,10 @@ TEST_P(Hinges, AreInEquilibriumInsideSteps) {
   const auto look = [&](StepController& controller) {
     const Stepper& stepper = controller.stepper();
     Eigen::VectorXd u, v, f;
-    const double begin = stepper.begin().time, h = stepper.end_minus().time - begin;
+    const double begin = stepper.view().begin().time, h = stepper.view().end_minus().time - begin;
     for (const double part : {0.0, 0.3, 0.5, 0.8, 1.0}) {
-      stepper.interpolate(begin + part * h, u, v);
-      stepper.interpolate_springs(begin + part * h, f);
+      stepper.view().interpolate(begin + part * h, u, v);
+      stepper.view().interpolate_springs(begin + part * h, f);
       const Eigen::VectorXd force = frame.system.stiffness * u + frame.system.gap_jacobian * f;
       for (int i = 0; i < frame.system.size(); ++i)
         if (frame.system.mass.coeff(i, i) == 0) worst = std::max(worst, std::abs(force[i]));
@@ -215,7 +215,7 @@ TEST_P(Hinges, GoOnToTheBit) {
   ModalSolver of_whole(whole.system), of_first(first.system), of_second(second.system);
   const auto march = [](StepController& controller, double until, double& h) {
     ErrorControl policy(0.02);
-    while (controller.stepper().time() < until) h = controller.advance(h, until, policy);
+    while (controller.stepper().view().time() < until) h = controller.advance(h, until, policy);
   };
   const Eigen::VectorXd zero = Eigen::VectorXd::Zero(whole.system.size());
   Stepper a(whole.system, of_whole, options), b(first.system, of_first, options), c(second.system, of_second, options);
@@ -235,9 +235,9 @@ TEST_P(Hinges, GoOnToTheBit) {
     other.archive(archive);
     Archive back(archive.bytes());
     one.archive(back);
-    EXPECT_TRUE(same_bits(all.stepper().state().u, one.stepper().state().u)) << until;
-    EXPECT_TRUE(same_bits(all.stepper().state().v, other.stepper().state().v)) << until;
-    EXPECT_TRUE(same_bits(all.stepper().state().force, one.stepper().state().force)) << until;
+    EXPECT_TRUE(same_bits(all.stepper().view().state().u, one.stepper().view().state().u)) << until;
+    EXPECT_TRUE(same_bits(all.stepper().view().state().v, other.stepper().view().state().v)) << until;
+    EXPECT_TRUE(same_bits(all.stepper().view().state().force, one.stepper().view().state().force)) << until;
   }
   EXPECT_GT(a.energies().hysteretic, 0);
 }
@@ -253,10 +253,10 @@ TEST_P(Hinges, MoveAlikeInModesAndInSparseMatrices) {
     stepper.start(0, zero, zero);
     StepController controller(stepper);
     FixedSteps policy;
-    while (stepper.time() < 1.5 - 1e-9)
-      controller.advance(h, std::min(1.5, h * (std::floor(stepper.time() / h + 1e-6) + 1)), policy);
-    EXPECT_GT(stepper.energies().hysteretic, 0.2 * stepper.energies().input);
-    return stepper.state();
+    while (stepper.view().time() < 1.5 - 1e-9)
+      controller.advance(h, std::min(1.5, h * (std::floor(stepper.view().time() / h + 1e-6) + 1)), policy);
+    EXPECT_GT(stepper.view().energies().hysteretic, 0.2 * stepper.view().energies().input);
+    return stepper.view().state();
   };
   const State a = march(of_modes, modal), b = march(of_factors, sparse);
   // Corners are located within 1e-6 times the step.
@@ -275,7 +275,7 @@ TEST_P(Hinges, OfFramesWithFactorsKeepTheToleranceWithoutStepsThatEndAtCorners) 
     const HingeFrameRun done = run_hinge_frame(
         frame, *solver, {.tolerance = tolerance, .scheme = GetParam(), .max_step = longest}, end, 4,
         [&](StepController& controller) {
-          const double h = controller.stepper().instant_end_minus().time - controller.stepper().instant_begin().time;
+          const double h = controller.stepper().view().instant_end_minus().time - controller.stepper().view().instant_begin().time;
           const double level = std::log2(longest / h);
           if (std::abs(level - std::round(level)) > 1e-6) ++off_levels;
         });

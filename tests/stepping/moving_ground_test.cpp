@@ -89,15 +89,15 @@ TEST_P(MovingGround, TwoOscillatorsMoveAsInAbsoluteCoordinates) {
   Stepper stepper(problem.system, base, {.tolerance = 1e-6, .scheme = scheme, .max_step = 0.01});
   stepper.start(0, Eigen::Vector2d::Zero(), Eigen::Vector2d::Zero());
   test::march(stepper, Delayed::end, 0.01);
-  EXPECT_GE(stepper.memory().contacts[0].impacts().size(), 4u);
-  const Eigen::MatrixXd& motion = stepper.outputs().motion;
+  EXPECT_GE(stepper.view().memory().contacts[0].impacts().size(), 4u);
+  const Eigen::MatrixXd& motion = stepper.view().outputs().motion;
   for (int i = 0; i < 2; ++i) {
     book.near("absolute displacement [m]", motion(i, 0) + problem.system.grounds[i].displacement(Delayed::end),
               expected[i], 1e-6);
     book.near("absolute velocity [m/s]", motion(i, 1) + problem.system.grounds[i].velocity(Delayed::end),
               expected[2 + i], 1e-5);
   }
-  const Energies e = stepper.energies();
+  const Energies e = stepper.view().energies();
   EXPECT_NEAR(e.input, e.kinetic + e.strain + e.damping + e.impact, 1e-6 * e.damping);
 }
 
@@ -111,7 +111,7 @@ TEST(OneMotion, GivenAsTwoIsTheSame) {
     Stepper stepper(problem.system, base, {.tolerance = 1e-4, .max_step = 0.01});
     stepper.start(0, Eigen::Vector2d::Zero(), Eigen::Vector2d::Zero());
     test::march(stepper, 1.0, 0.01);
-    return stepper.state();
+    return stepper.view().state();
   };
   const State two = run(as_two), one = run(as_one);
   EXPECT_LT((two.u - one.u).norm(), 1e-9 * one.u.norm());
@@ -130,7 +130,7 @@ TEST_P(MovingGround, JumpsThatOnlyRoundingKeepsApartAreOne) {
     Stepper stepper(problem.system, base, {.tolerance = 1e-5, .scheme = scheme, .max_step = 0.01});
     stepper.start(0, Eigen::Vector2d::Zero(), Eigen::Vector2d::Zero());
     test::march(stepper, 1.0, 0.01);
-    return stepper.state();
+    return stepper.view().state();
   };
   const State equal = run(once, once), first = run(once, twice), last = run(twice, once);
   for (const State* each : {&first, &last}) {
@@ -174,13 +174,13 @@ TEST_P(MovingGround, AWallThatDriftsThrowsARigidMassAhead) {
   Stepper stepper(problem.system, base, {.tolerance = 1e-5, .scheme = scheme, .max_step = 0.05});
   stepper.start(0, Eigen::VectorXd::Zero(1), Eigen::VectorXd::Zero(1));
   test::march(stepper, 1, 0.05);
-  ASSERT_EQ(stepper.memory().contacts[0].impacts().size(), 1u);
-  const ImpactRow& impact = stepper.memory().contacts[0].impacts()[0];
+  ASSERT_EQ(stepper.view().memory().contacts[0].impacts().size(), 1u);
+  const ImpactRow& impact = stepper.view().memory().contacts[0].impacts()[0];
   book.near("touch [s]", impact.t_start, 0.25, 1e-11);
   book.near("approach [m/s]", impact.v_approach, 0.1, 1e-12);
-  book.near("speed after it [m/s]", stepper.state().v[0], -0.16, 1e-12);
-  book.near("displacement at 1 s [m]", stepper.state().u[0], -0.16 * 0.75, 1e-10);
-  const Energies e = stepper.energies();
+  book.near("speed after it [m/s]", stepper.view().state().v[0], -0.16, 1e-12);
+  book.near("displacement at 1 s [m]", stepper.view().state().u[0], -0.16 * 0.75, 1e-10);
+  const Energies e = stepper.view().energies();
   book.near("kinetic energy [J]", e.kinetic, 0.5 * BeforeWall::mass * 0.16 * 0.16, 1e-7);
   book.near("input [J]", e.input, BeforeWall::mass * 0.16 * 0.1, 1e-7);
   book.near("energy lost [J]", e.impact, 0.5 * BeforeWall::mass * 0.01 * (1 - restitution * restitution), 1e-7);
@@ -197,14 +197,14 @@ TEST_P(MovingGround, AWallThatDriftsThrowsAnElasticMassAhead) {
   Stepper stepper(problem.system, base, {.tolerance = 1e-6, .scheme = scheme, .max_step = 0.05});
   stepper.start(0, Eigen::VectorXd::Zero(1), Eigen::VectorXd::Zero(1));
   test::march(stepper, 1, 0.05);
-  ASSERT_EQ(stepper.memory().contacts[0].impacts().size(), 1u);
-  const ImpactRow& impact = stepper.memory().contacts[0].impacts()[0];
+  ASSERT_EQ(stepper.view().memory().contacts[0].impacts().size(), 1u);
+  const ImpactRow& impact = stepper.view().memory().contacts[0].impacts()[0];
   const double w = std::sqrt(stiffness / BeforeWall::mass);
   book.near("touch [s]", impact.t_start, 0.25, 1e-11);
   book.near("separation [s]", impact.t_end, 0.25 + pi / w, 1e-7);
   book.near("largest penetration [m]", impact.peak_penetration, 0.1 / w, 1e-6 * 0.1 / w);
-  book.near("speed after it [m/s]", stepper.state().v[0], -0.2, 1e-7);
-  const Energies e = stepper.energies();
+  book.near("speed after it [m/s]", stepper.view().state().v[0], -0.2, 1e-7);
+  const Energies e = stepper.view().energies();
   book.near("input [J]", e.input, 0.5 * BeforeWall::mass * 0.04, 1e-6 * e.input);
   EXPECT_NEAR(e.input, e.kinetic + e.impact, 1e-6 * e.input);
 }
@@ -220,17 +220,17 @@ TEST_P(MovingGround, AMassRestsOnAWallThatAccelerates) {
   Stepper stepper(problem.system, base, {.tolerance = 1e-5, .scheme = scheme, .max_step = 0.02});
   stepper.start(0, Eigen::VectorXd::Zero(1), Eigen::VectorXd::Zero(1));
   test::march(stepper, 0.3, 0.02);
-  EXPECT_EQ(stepper.memory().contacts[0].phase(), ContactPhase::resting);
-  book.near("displacement while it rests [m]", stepper.state().u[0], problem.system.grounds[0].displacement(0.3),
+  EXPECT_EQ(stepper.view().memory().contacts[0].phase(), ContactPhase::resting);
+  book.near("displacement while it rests [m]", stepper.view().state().u[0], problem.system.grounds[0].displacement(0.3),
             1e-14);
-  book.near("force while it rests [N]", stepper.state().force[0],
+  book.near("force while it rests [N]", stepper.view().state().force[0],
             BeforeWall::mass * amplitude * std::sin(2 * pi * 0.3 / duration), 1e-6 * BeforeWall::mass * amplitude);
   test::march(stepper, 1, 0.02);
-  EXPECT_EQ(stepper.memory().contacts[0].phase(), ContactPhase::open);
+  EXPECT_EQ(stepper.view().memory().contacts[0].phase(), ContactPhase::open);
   const double speed = amplitude * duration / pi, way = amplitude * duration / (2 * pi) * half;
-  book.near("speed after that [m/s]", stepper.state().v[0], -speed, 1e-6 * speed);
-  book.near("displacement after that [m]", stepper.state().u[0], -way - speed * (1 - half), 1e-6 * speed);
-  const Energies e = stepper.energies();
+  book.near("speed after that [m/s]", stepper.view().state().v[0], -speed, 1e-6 * speed);
+  book.near("displacement after that [m]", stepper.view().state().u[0], -way - speed * (1 - half), 1e-6 * speed);
+  const Energies e = stepper.view().energies();
   EXPECT_NEAR(e.input, e.kinetic + e.impact, 1e-5 * e.kinetic);
   book.near("kinetic energy [J]", e.kinetic, 0.5 * BeforeWall::mass * speed * speed, 1e-5 * e.kinetic);
 }
@@ -244,7 +244,7 @@ TEST_P(MovingGround, WhatGravityHasClosedIsMissingInTheGap) {
     Stepper stepper(problem.system, base, {.tolerance = 1e-6, .scheme = scheme, .max_step = 0.01});
     stepper.start(0, Eigen::VectorXd::Zero(1), Eigen::VectorXd::Ones(1));
     test::march(stepper, 0.1, 0.01);
-    return std::pair(stepper.state().v[0], stepper.memory().contacts[0].impacts()[0].t_start);
+    return std::pair(stepper.view().state().v[0], stepper.view().memory().contacts[0].impacts()[0].t_start);
   };
   const auto [speed, touch] = run(0.02, 0.005);
   const auto [expected_speed, expected_touch] = run(0.015, 0);
@@ -278,8 +278,8 @@ TEST_P(MovingGround, StepsKeepTheirOrder) {
     Stepper stepper(problem.system, base, {.tolerance = 1e-3, .scheme = scheme, .max_step = h});
     stepper.start(0, Eigen::VectorXd::Constant(1, rest), Eigen::VectorXd::Zero(1));
     test::march_evenly(stepper, end, h);
-    EXPECT_TRUE(presses(stepper.memory().contacts[0].phase()));
-    errors.push_back(std::hypot(stepper.state().u[0] - expected[0], 0.1 * (stepper.state().v[0] - expected[1])));
+    EXPECT_TRUE(presses(stepper.view().memory().contacts[0].phase()));
+    errors.push_back(std::hypot(stepper.view().state().u[0] - expected[0], 0.1 * (stepper.view().state().v[0] - expected[1])));
   }
   book.near("observed order on a moving ground [-]", std::log2(errors[errors.size() - 2] / errors.back()),
             GetParam().order, 0.25);
@@ -306,18 +306,18 @@ TEST_P(MovingGround, ObservedIsThatOfTheWholeState) {
   long events = 0;
   for (int step = 0; step < 400; ++step) {
     if (step % 3 == 0)
-      expect_same(stepper.outputs(), stepper.state());  // not at each step, so that stale values would be noticed
+      expect_same(stepper.view().outputs(), stepper.view().state());  // not at each step, so that stale values would be noticed
     controller.advance(2e-3, 1e9, policy);
-    if (step % 2 == 1 && stepper.events() == events) continue;
-    events = stepper.events();
-    expect_same(stepper.outputs_begin(), stepper.begin());
-    expect_same(stepper.outputs_end_minus(), stepper.end_minus());
+    if (step % 2 == 1 && stepper.view().events() == events) continue;
+    events = stepper.view().events();
+    expect_same(stepper.view().outputs_begin(), stepper.view().begin());
+    expect_same(stepper.view().outputs_end_minus(), stepper.view().end_minus());
     State inside;
-    inside.time = 0.3 * stepper.begin().time + 0.7 * stepper.end_minus().time;
-    stepper.interpolate(inside.time, inside.u, inside.v);
-    stepper.interpolate_acceleration(inside.time, inside.a);
+    inside.time = 0.3 * stepper.view().begin().time + 0.7 * stepper.view().end_minus().time;
+    stepper.view().interpolate(inside.time, inside.u, inside.v);
+    stepper.view().interpolate_acceleration(inside.time, inside.a);
     OutputQuantities seen{inside.time, {}};
-    stepper.interpolate_outputs(inside.time, seen.motion);
+    stepper.view().interpolate_outputs(inside.time, seen.motion);
     expect_same(seen, inside);
   }
   EXPECT_GT(events, 4);

@@ -82,9 +82,9 @@ TEST_P(SpectralRadius, FreeVibrationFromRestIsSecondOrder) {
     ModalSolver base(p.system);
     Stepper stepper(p.system, base, {.tolerance = 1e-3, .scheme = alpha(GetParam()), .max_step = h});
     stepper.start(0, p.u, p.v);
-    EXPECT_DOUBLE_EQ(stepper.state().a[0], -w * w) << "the initial acceleration balances the equations";
+    EXPECT_DOUBLE_EQ(stepper.view().state().a[0], -w * w) << "the initial acceleration balances the equations";
     test::march_evenly(stepper, p.end, h);
-    errors.push_back(std::abs(stepper.state().u[0] - exact_oscillation(w, z, p.end)));
+    errors.push_back(std::abs(stepper.view().state().u[0] - exact_oscillation(w, z, p.end)));
   }
   book.near("generalized-alpha: order in free vibration [-]", observed_order(errors), 2.0, 0.06);
 }
@@ -100,7 +100,7 @@ double error_after_impact(const Law& law, double parting, double speed, double h
   stepper.start(0, p.u, p.v);
   test::march_evenly(stepper, end, h);
   const double position = 0.01 - speed * (end - 0.01 - parting);
-  return std::hypot(stepper.state().v[0] + speed, (stepper.state().u[0] - position) / parting);
+  return std::hypot(stepper.view().state().v[0] + speed, (stepper.view().state().u[0] - position) / parting);
 }
 
 // Slope of a linear fit of log error against log step.
@@ -210,7 +210,7 @@ TEST(Esdirk4, FreeVibrationFromRestIsOfOrderFour) {
     Stepper stepper(p.system, base, {.tolerance = 1e-3, .scheme = fourth, .max_step = h});
     stepper.start(0, p.u, p.v);
     test::march_evenly(stepper, p.end, h);
-    errors.push_back(std::abs(stepper.state().u[0] - exact_oscillation(w, z, p.end)));
+    errors.push_back(std::abs(stepper.view().state().u[0] - exact_oscillation(w, z, p.end)));
   }
   book.near("ESDIRK4: order in free vibration [-]", observed_order(errors), 4.0, 0.1);
 }
@@ -244,9 +244,9 @@ TEST(Esdirk4, EstimatesAnErrorOfOrderFour) {
   Stepper stepper(p.system, base, {.tolerance = 1e-3, .scheme = fourth, .max_step = 0.1});
   stepper.start(0, p.u, p.v);
   ASSERT_TRUE(stepper.try_step(4e-3));
-  const double coarse = stepper.error_ratio();
+  const double coarse = stepper.view().error_ratio();
   ASSERT_TRUE(stepper.try_step(2e-3));
-  book.near("ESDIRK4: order of the error estimate [-]", std::log2(coarse / stepper.error_ratio()), 4.0, 0.2);
+  book.near("ESDIRK4: order of the error estimate [-]", std::log2(coarse / stepper.view().error_ratio()), 4.0, 0.2);
 }
 
 TEST(ErrorEstimate, FallsWithTheCubeOfTheStep) {
@@ -256,9 +256,9 @@ TEST(ErrorEstimate, FallsWithTheCubeOfTheStep) {
   Stepper stepper(p.system, base, {.tolerance = 1e-3, .scheme = alpha(1), .max_step = 0.1});
   stepper.start(0, p.u, p.v);
   ASSERT_TRUE(stepper.try_step(1e-2));
-  const double coarse = stepper.error_ratio();
+  const double coarse = stepper.view().error_ratio();
   ASSERT_TRUE(stepper.try_step(5e-3));
-  book.near("generalized-alpha: order of the error estimate [-]", std::log2(coarse / stepper.error_ratio()), 3.0, 0.15);
+  book.near("generalized-alpha: order of the error estimate [-]", std::log2(coarse / stepper.view().error_ratio()), 3.0, 0.15);
 }
 
 // The estimate agrees with the actual error of the step within a small factor.
@@ -269,11 +269,11 @@ TEST(ErrorEstimate, IsTheErrorOfTheStep) {
   Stepper stepper(p.system, base, {.tolerance = tolerance, .scheme = alpha(1), .max_step = h});
   stepper.start(0, p.u, p.v);
   ASSERT_TRUE(stepper.try_step(h));
-  const double estimated = stepper.error_ratio() * 0.25 * std::pow(tolerance, 1.5);
+  const double estimated = stepper.view().error_ratio() * 0.25 * std::pow(tolerance, 1.5);
   stepper.accept();
   const double slope = (exact_oscillation(w, z, h + 1e-6) - exact_oscillation(w, z, h - 1e-6)) / 2e-6;
   const double made =
-      std::max(std::abs(stepper.state().u[0] - exact_oscillation(w, z, h)), std::abs(stepper.state().v[0] - slope));
+      std::max(std::abs(stepper.view().state().u[0] - exact_oscillation(w, z, h)), std::abs(stepper.view().state().v[0] - slope));
   EXPECT_GT(estimated, 0.3 * made);
   EXPECT_LT(estimated, 5 * made);
 }

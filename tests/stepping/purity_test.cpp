@@ -34,7 +34,7 @@ TEST(TrialSteps, LeaveNoTrace) {
     stepper.start(0, u, v);
     StepController controller(stepper);
     FixedSteps policy;
-    while (stepper.time() < 1.3) {
+    while (stepper.view().time() < 1.3) {
       if (with_trials)
         for (const double h : {3e-3, 1e-4, 2.2e-2, 5e-4}) {
           EXPECT_TRUE(stepper.try_step(h));
@@ -42,8 +42,8 @@ TEST(TrialSteps, LeaveNoTrace) {
         }
       controller.advance(1e-3, 2, policy);
     }
-    EXPECT_EQ(stepper.memory().contacts[0].impacts().size(), 2u);
-    return stepper.state();
+    EXPECT_EQ(stepper.view().memory().contacts[0].impacts().size(), 2u);
+    return stepper.view().state();
   };
   const State quiet = end_state(false), busy = end_state(true);
   EXPECT_EQ(quiet.time, busy.time);
@@ -66,20 +66,20 @@ TEST(KeptSteps, ShowDisplacementsAndVelocitiesAlone) {
   StepController controller(stepper);
   FixedSteps policy;
   int blows = 0;
-  while (stepper.time() < 0.9) {
+  while (stepper.view().time() < 0.9) {
     controller.advance(1e-2, 1, policy);
     const auto check = [&] {
       Eigen::VectorXd u, v;
-      stepper.begin(u, v);
-      EXPECT_TRUE(same_bits(u, stepper.begin().u) && same_bits(v, stepper.begin().v))
-          << "at " << stepper.time() << " s";
-      stepper.end_minus(u, v);
-      EXPECT_TRUE(same_bits(u, stepper.end_minus().u) && same_bits(v, stepper.end_minus().v))
-          << "at " << stepper.time() << " s";
+      stepper.view().begin(u, v);
+      EXPECT_TRUE(same_bits(u, stepper.view().begin().u) && same_bits(v, stepper.view().begin().v))
+          << "at " << stepper.view().time() << " s";
+      stepper.view().end_minus(u, v);
+      EXPECT_TRUE(same_bits(u, stepper.view().end_minus().u) && same_bits(v, stepper.view().end_minus().v))
+          << "at " << stepper.view().time() << " s";
     };
     check();
     check();
-    blows += stepper.end_minus().v[0] * stepper.state().v[0] < 0;
+    blows += stepper.view().end_minus().v[0] * stepper.view().state().v[0] < 0;
   }
   EXPECT_GE(blows, 2);
 }
@@ -100,7 +100,7 @@ TEST(TrialSteps, KeepTheirExactEndWhenBodiesPassClose) {
   ASSERT_TRUE(stepper.try_step(h, end));
   EXPECT_FALSE(stepper.locate_event().has_value());
   stepper.accept();
-  EXPECT_EQ(stepper.state().time, end);
+  EXPECT_EQ(stepper.view().state().time, end);
 }
 
 TEST(SameInput, GivesTheSameBitsTwice) {

@@ -112,18 +112,18 @@ TEST_P(StickSlip, ABlockSlidesToRestAndSwings) {
   Stepper stepper(block.system, base, {.tolerance = 1e-6, .scheme = scheme, .max_step = 0.02});
   stepper.start(0, block.u, v0 * Vector2d::Unit(1));
   long tries = test::march(stepper, 0.5 * begins, 0.02);
-  book.near("displacement while it sticks [m]", stepper.state().u[1], v0 / w * std::sin(0.5 * w * begins),
+  book.near("displacement while it sticks [m]", stepper.view().state().u[1], v0 / w * std::sin(0.5 * w * begins),
             1e-5 * stretch);
-  book.near("stored energy while it sticks [J]", stepper.friction_stored()[0], stepper.friction_work()[0],
-            1e-5 * stepper.friction_work()[0]);
+  book.near("stored energy while it sticks [J]", stepper.view().friction_stored()[0], stepper.view().friction_work()[0],
+            1e-5 * stepper.view().friction_work()[0]);
   tries += test::march(stepper, begins + 0.5 * decelerates, 0.02);
-  book.near("speed while it slides [m/s]", stepper.state().v[1], 0.5 * v1, 1e-5 * v0);
+  book.near("speed while it slides [m/s]", stepper.view().state().v[1], 0.5 * v1, 1e-5 * v0);
   tries += test::march(stepper, end, 0.02);
-  book.near("displacement after the stop [m]", stepper.state().u[1],
+  book.near("displacement after the stop [m]", stepper.view().state().u[1],
             way - stretch + stretch * std::cos(w * (end - stop)), 2e-5 * way);
   const double lost = 0.5 * Block::mass * v0 * v0 - 0.5 * stiffness * stretch * stretch;
-  book.near("energy lost [J]", stepper.friction_work()[0] - stepper.friction_stored()[0], lost, 2e-5 * lost);
-  const Energies e = stepper.energies();
+  book.near("energy lost [J]", stepper.view().friction_work()[0] - stepper.view().friction_stored()[0], lost, 2e-5 * lost);
+  const Energies e = stepper.view().energies();
   EXPECT_NEAR(e.imbalance(), 0, 1e-5 * lost);
   EXPECT_LT(tries, 3000);
 }
@@ -175,8 +175,8 @@ TEST_P(StickSlip, SlidingAlongACurveIsThatOfAnIndependentIntegration) {
   stepper.start(0, block.u, Vector3d(0, v[0], v[1]));
   const long tries = test::march(stepper, end, 0.02);
   const double size = v.norm() / std::sqrt(springs[0] / Block::mass);
-  book.below("displacement, difference over size [-]", (stepper.state().u.tail(2) - expected.u).norm() / size, 1e-4);
-  book.near("energy lost [J]", stepper.friction_work()[0] - stepper.friction_stored()[0], expected.lost,
+  book.below("displacement, difference over size [-]", (stepper.view().state().u.tail(2) - expected.u).norm() / size, 1e-4);
+  book.near("energy lost [J]", stepper.view().friction_work()[0] - stepper.view().friction_stored()[0], expected.lost,
             1e-4 * expected.lost);
   EXPECT_LT(tries, 5000);
 }
@@ -206,18 +206,18 @@ TEST_P(StickSlip, AStickSlipOscillatorIsThatOfAnIndependentIntegration) {
   const double reach = 0.4 * Block::pressed / k;
   EXPECT_GT(expected.lost, 0.1 * limit * speed * end) << "it has slipped";
   book.below("displacement, difference over the static reach [-]",
-             std::abs(stepper.state().u[1] - expected.u[0]) / reach, 1e-3);
-  book.near("energy lost [J]", stepper.friction_work()[0] - stepper.friction_stored()[0], expected.lost,
+             std::abs(stepper.view().state().u[1] - expected.u[0]) / reach, 1e-3);
+  book.near("energy lost [J]", stepper.view().friction_work()[0] - stepper.view().friction_stored()[0], expected.lost,
             1e-3 * expected.lost);
 }
 
 std::vector<std::uint64_t> bits_of(const Stepper& stepper) {
   std::vector<std::uint64_t> bits;
-  const State& state = stepper.state();
+  const State& state = stepper.view().state();
   for (const Eigen::VectorXd* all : {&state.u, &state.v, &state.a, &state.force})
     for (const double value : *all) bits.push_back(std::bit_cast<std::uint64_t>(value));
-  bits.push_back(std::bit_cast<std::uint64_t>(stepper.friction_work()[0]));
-  bits.push_back(std::bit_cast<std::uint64_t>(stepper.friction_stored()[0]));
+  bits.push_back(std::bit_cast<std::uint64_t>(stepper.view().friction_work()[0]));
+  bits.push_back(std::bit_cast<std::uint64_t>(stepper.view().friction_stored()[0]));
   return bits;
 }
 

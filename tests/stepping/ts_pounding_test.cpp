@@ -46,7 +46,7 @@ struct Driven {
     check(TSSetTimeStep(ts, 1e-3));
     check(petsc::set_stepper(ts, &stepper));
   }
-  std::span<const ImpactRow> impacts() const { return stepper.memory().contacts[0].impacts(); }
+  std::span<const ImpactRow> impacts() const { return stepper.view().memory().contacts[0].impacts(); }
 };
 
 double value(Vec x, PetscInt i) {
@@ -111,10 +111,10 @@ TEST(TsPounding, RollsBackContactsAndAll) {
   }
   ASSERT_GT(plain.impacts().size(), 2u);
   ASSERT_EQ(back.impacts().size(), plain.impacts().size());
-  EXPECT_EQ(back.stepper.time(), plain.stepper.time());
-  EXPECT_EQ(back.stepper.state().u, plain.stepper.state().u);
-  EXPECT_EQ(back.stepper.state().v, plain.stepper.state().v);
-  EXPECT_EQ(back.stepper.energies().input, plain.stepper.energies().input);
+  EXPECT_EQ(back.stepper.view().time(), plain.stepper.view().time());
+  EXPECT_EQ(back.stepper.view().state().u, plain.stepper.view().state().u);
+  EXPECT_EQ(back.stepper.view().state().v, plain.stepper.view().state().v);
+  EXPECT_EQ(back.stepper.view().energies().input, plain.stepper.view().energies().input);
   for (std::size_t i = 0; i + 1 < plain.impacts().size(); ++i)
     EXPECT_EQ(back.impacts()[i].impulse, plain.impacts()[i].impulse);
 }
@@ -137,9 +137,9 @@ TEST(TsPounding, InterpolatesInsideTheLastStep) {
   check(VecDuplicate(run.u, middle.out()));
   check(TSSetUp(run.ts));
   for (int i = 0; i < 200; ++i) check(TSStep(run.ts));
-  const double begin = run.stepper.begin().time, end = run.stepper.time();
+  const double begin = run.stepper.view().begin().time, end = run.stepper.view().time();
   check(TSInterpolate(run.ts, 0.5 * (begin + end), middle));
-  const State &x = run.stepper.begin(), &y = run.stepper.state();
+  const State &x = run.stepper.view().begin(), &y = run.stepper.view().state();
   const double cubic = 0.5 * (x.u[1] + y.u[1]) + (end - begin) / 8 * (x.v[1] - y.v[1]);
   EXPECT_NEAR(value(middle, 1), cubic, 1e-15);
   EXPECT_NE(value(middle, 1), y.u[1]);
@@ -150,11 +150,11 @@ TEST(TsPounding, GoesOnFromAMotionThatItsHostChanged) {
   Driven run(law, 1e-6);
   check(TSSetUp(run.ts));
   for (int i = 0; i < 20; ++i) check(TSStep(run.ts));
-  const Energies before = run.stepper.energies();
+  const Energies before = run.stepper.view().energies();
   check(VecScale(run.v, 2));
   check(TSRestartStep(run.ts));
   for (int i = 0; i < 20; ++i) check(TSStep(run.ts));
-  const Energies after = run.stepper.energies();
+  const Energies after = run.stepper.view().energies();
   EXPECT_GT(after.input, before.input + 2.9 * before.kinetic);
   const double sum = after.kinetic + after.strain + after.damping + after.impact;
   EXPECT_NEAR(after.input, sum, 1e-5 * after.input);
@@ -167,10 +167,10 @@ TEST(TsPounding, WritesItsVectorsLazilyOnlyWhenAsked) {
     check(TSSetUp(run->ts));
     for (int i = 0; i < 50; ++i) check(TSStep(run->ts));
   }
-  EXPECT_EQ(value(eager.u, 0), eager.stepper.state().u[0]);
+  EXPECT_EQ(value(eager.u, 0), eager.stepper.view().state().u[0]);
   EXPECT_EQ(value(lazy.u, 0), 0);
   check(TSSolve(lazy.ts, nullptr));
-  EXPECT_EQ(value(lazy.u, 0), lazy.stepper.state().u[0]) << "the end is recorded";
+  EXPECT_EQ(value(lazy.u, 0), lazy.stepper.view().state().u[0]) << "the end is recorded";
 }
 
 }  // namespace ts_pounding_test

@@ -49,10 +49,10 @@ struct Motion {
     const auto [u, v] = initial_state(model);
     stepper->start(0, u, v);
   }
-  double u(const std::string& label) const { return stepper->state().u[unknown(model.structures[0], label)]; }
-  double v(const std::string& label) const { return stepper->state().v[unknown(model.structures[0], label)]; }
+  double u(const std::string& label) const { return stepper->view().state().u[unknown(model.structures[0], label)]; }
+  double v(const std::string& label) const { return stepper->view().state().v[unknown(model.structures[0], label)]; }
   double imbalance() const {
-    const Energies e = stepper->energies();
+    const Energies e = stepper->view().energies();
     return (e.input - e.kinetic - e.strain - e.damping - e.impact) / e.input;
   }
 };
@@ -175,7 +175,7 @@ TEST(Turning, SmallMotionIsThatOfTheStiffnessAtRest) {
       Motion linear(mast(heavy, velocity, "2 %"), {.kind = Scheme::Kind::esdirk4}, 1e-9, false, true);
       test::march(*turning.stepper, 0.5, 0.02);
       test::march(*linear.stepper, 0.5, 0.02);
-      apart.push_back((turning.stepper->state().u - linear.stepper->state().u).cwiseAbs().maxCoeff());
+      apart.push_back((turning.stepper->view().state().u - linear.stepper->view().state().u).cwiseAbs().maxCoeff());
       EXPECT_LT(std::abs(turning.imbalance()), 1e-6);
     }
     EXPECT_LT(apart[0], 1e-4);

@@ -60,7 +60,7 @@ double error_after(const Case& c, const Scheme& scheme, int steps, Ends ends = E
       EXPECT_TRUE(stepper.try_step(h));
       stepper.accept();
     }
-  return std::abs(stepper.state().u[0] - c.end) / scale;
+  return std::abs(stepper.view().state().u[0] - c.end) / scale;
 }
 
 // Errors of neighbouring lengths depend on the locations of the corners; means over an octave do not.

@@ -32,7 +32,7 @@ inline long march(Stepper& stepper, double end, double longest) {
   StepController controller(stepper);
   ErrorControl policy(longest);
   double h = longest / 64;
-  while (stepper.time() < end) h = controller.advance(h, end, policy);
+  while (stepper.view().time() < end) h = controller.advance(h, end, policy);
   return controller.trials();
 }
 
@@ -40,7 +40,7 @@ inline long march(Stepper& stepper, double end, double longest) {
 inline void march_evenly(Stepper& stepper, double end, double h) {
   StepController controller(stepper);
   FixedSteps policy;
-  while (stepper.time() < end * (1 - 1e-12)) controller.advance(h, end, policy);
+  while (stepper.view().time() < end * (1 - 1e-12)) controller.advance(h, end, policy);
 }
 
 /// y' = f(t, y) from `begin` to `end`: Dormand and Prince 5(4), relative tolerance 1e-11 of `size`. Steps end at the

@@ -197,10 +197,10 @@ inline HingeFrameRun run_hinge_frame(HingeFrame& frame, StructureSolver& solver,
   const SparseMatrix columns = frame.system.gap_jacobian.middleCols(contacts, hinges);
   double h = options.max_step / 64;
   Eigen::VectorXd u, v, f;
-  while (stepper.time() < end) {
+  while (stepper.view().time() < end) {
     h = controller.advance(h, end, policy);
     ++run.steps;
-    const OutputQuantities &x = stepper.outputs_begin(), &y = stepper.outputs_end_minus();
+    const OutputQuantities &x = stepper.view().outputs_begin(), &y = stepper.view().outputs_end_minus();
     for (int i = 0; i < frame.options.storeys; ++i) {
       run.peak_floor[i] = std::max(run.peak_floor[i], std::abs(y.motion(i, 0)));
       if (x.motion(i, 1) * y.motion(i, 1) >= 0) continue;
@@ -209,7 +209,7 @@ inline HingeFrameRun run_hinge_frame(HingeFrame& frame, StructureSolver& solver,
       run.peak_floor[i] = std::max(run.peak_floor[i], std::abs(between.at(between.turn())));
     }
     for (int i = 0; i < hinges; ++i)
-      for (const LinkStep& step = stepper.link_steps()[contacts + i];
+      for (const LinkStep& step = stepper.view().link_steps()[contacts + i];
            const auto& [motion, force] :
            {std::pair(step.motion_middle, step.force_middle), std::pair(step.motion_end, step.force_end)}) {
         run.ductility[i] = std::max(run.ductility[i],
@@ -219,21 +219,21 @@ inline HingeFrameRun run_hinge_frame(HingeFrame& frame, StructureSolver& solver,
       }
     for (int k = 1; k <= inside; ++k) {
       const double t = x.time + (y.time - x.time) * k / inside;
-      stepper.interpolate(t, u, v);
-      stepper.interpolate_springs(t, f);
+      stepper.view().interpolate(t, u, v);
+      stepper.view().interpolate_springs(t, f);
       run.base_shear = std::max(run.base_shear, std::abs(frame.base.dot(frame.system.stiffness * u + columns * f)));
     }
     if (after_step) after_step(controller);
   }
   run.trials = controller.trials();
-  run.iterations = stepper.iterations();
-  run.end = stepper.state();
-  run.energy = stepper.energies();
-  for (const ContactMemory& contact : stepper.memory().contacts) run.impacts += contact.impacts().size();
-  for (int i = 0; i < frame.options.storeys; ++i) run.end_floor.push_back(stepper.outputs().motion(i, 0));
+  run.iterations = stepper.view().iterations();
+  run.end = stepper.view().state();
+  run.energy = stepper.view().energies();
+  for (const ContactMemory& contact : stepper.view().memory().contacts) run.impacts += contact.impacts().size();
+  for (int i = 0; i < frame.options.storeys; ++i) run.end_floor.push_back(stepper.view().outputs().motion(i, 0));
   for (int i = 0; i < hinges; ++i) {
-    const double d = stepper.link_steps()[contacts + i].motion_end.penetration;
-    const ConstElementMemory memory = stepper.memory().elements[i];
+    const double d = stepper.view().link_steps()[contacts + i].motion_end.penetration;
+    const ConstElementMemory memory = stepper.view().memory().elements[i];
     const ElementEnergy energy = frame.springs[i]->energy(memory);
     run.slip.push_back(BilinearSpring::slip(memory));
     run.hinge_work += energy.lost + energy.stored_correction + 0.5 * frame.spring_stiffness[i] * d * d;

@@ -37,11 +37,34 @@ std::vector<Eigen::VectorXd> rests_by_yielding(const Model& model) {
   return rests;
 }
 
-int total_size(const Model& model) {
-  int count = 0;
-  for (const Structure& s : model.structures) count += s.size();
-  return count;
-}
+// Which structures an assembly includes, and the first unknown of each.
+struct Included {
+  std::vector<bool> structures;
+  std::vector<int> first;
+  int size = 0;
+
+  Included(const Model& model, const std::vector<int>& wanted)
+      : structures(model.structures.size(), wanted.empty()), first(model.structures.size(), 0) {
+    for (const int structure : wanted) structures.at(static_cast<std::size_t>(structure)) = true;
+    for (std::size_t i = 0; i < structures.size(); ++i) {
+      structures[i] = structures[i] || model.structures[i].is_rigid();
+      first[i] = size;
+      if (structures[i]) size += model.structures[i].size();
+    }
+  }
+  // True if a link or device acts: none of its ends may be left out.
+  template <class Link>
+  bool joins(const Model& model, const Link& link) const {
+    const auto acts = [&](const LinkEnd& end) { return structures[end.structure]; };
+    const auto moves = [&](const LinkEnd& end) {
+      return acts(end) && !model.structures[end.structure].is_rigid();
+    };
+    if (acts(link.left) && acts(link.right)) return moves(link.left) || moves(link.right);
+    if (moves(link.left) || moves(link.right))
+      throw std::invalid_argument(fmt::format("{} joins a structure of the assembly with one outside it", link.name));
+    return false;
+  }
+};
 
 // Adds the displacement of one end of a link along `direction`, at zero unknowns, to the row of the link in terms of
 // ground motions. The first support moves the whole structure; the others add differences.
@@ -75,32 +98,26 @@ std::vector<Eigen::Vector3d> tangents(const Eigen::Vector3d& normal, int dimensi
 }
 
 // Displacements of all floors: structure by structure, floor by floor, in their directions.
-SparseMatrix floor_motions(const Model& model) {
-  const std::vector<int> first = offsets(model);
+SparseMatrix floor_motions(const Model& model, const Included& included) {
   Triplets entries;
   int column = 0;
   for (std::size_t k = 0; k < model.structures.size(); ++k)
-    for (const Floor& floor : model.structures[k].floors)
-      for (const Row& row : floor.motion) add_row(entries, row, 1, first[k], column++);
-  return sparse_matrix(total_size(model), column, entries);
+    if (included.structures[k])
+      for (const Floor& floor : model.structures[k].floors)
+        for (const Row& row : floor.motion) add_row(entries, row, 1, included.first[k], column++);
+  return sparse_matrix(included.size, column, entries);
 }
 
 }  // namespace
 
-std::vector<int> offsets(const Model& model) {
-  std::vector<int> first;
-  int count = 0;
-  for (const Structure& s : model.structures) {
-    first.push_back(count);
-    count += s.size();
-  }
-  return first;
-}
+std::vector<int> offsets(const Model& model) { return Included(model, {}).first; }
 
-System assemble(const Model& model, bool with_links) {
+System assemble(const Model& model, const Assembly& assembly) {
   if (!model.is_complete()) throw std::logic_error("the model is not complete; call complete() before assemble()");
-  const std::vector<int> first = offsets(model);
-  const int n = total_size(model);
+  const Included included(model, assembly.structures);
+  const std::vector<int>& first = included.first;
+  const int n = included.size;
+  const bool with_links = assembly.with_links;
   const GroundPlan plan = ground_plan(model);
   System system;
   Triplets mass, damping, modal, stiffness, closing, relief;
@@ -111,7 +128,7 @@ System assemble(const Model& model, bool with_links) {
     if (!s.is_rigid()) fastest = std::max(fastest, s.initial_velocity.cwiseAbs().maxCoeff());
   for (std::size_t i = 0; i < model.structures.size(); ++i) {
     const Structure& s = model.structures[i];
-    if (s.is_rigid()) continue;
+    if (s.is_rigid() || !included.structures[i]) continue;
     add_entries(mass, s.mass, first[i]);
     add_entries(damping, s.damping, first[i]);
     add_entries(modal, s.modal_damping, first[i]);
@@ -146,13 +163,14 @@ System assemble(const Model& model, bool with_links) {
   double driven = 0;
   for (const GroundPlan::Force& force : plan.forces)
     for (const Group& group : system.groups)
-      if (group.first == first[force.structure]) driven = std::max(driven, group.velocity_floor);
+      if (included.structures[force.structure] && group.first == first[force.structure]) driven = std::max(driven, group.velocity_floor);
   for (Group& group : system.groups) group.velocity_floor = std::max(group.velocity_floor, 0.1 * driven);
   // The load is -P ag, where ag is the force itself.
   auto of_plan = plan.forces.begin();
   for (std::size_t i = 0; i < model.structures.size(); ++i)
     for (const AppliedForce& force : model.structures[i].applied_forces)
-      system.load.col((of_plan++)->motion).segment(first[i], model.structures[i].size()) -= force.direction;
+      if (const int motion = (of_plan++)->motion; included.structures[i])
+        system.load.col(motion).segment(first[i], model.structures[i].size()) -= force.direction;
   system.mass = sparse_matrix(n, n, mass);
   system.damping = sparse_matrix(n, n, damping);
   if (!modal.empty()) system.modal_damping = sparse_matrix(n, n, modal);
@@ -182,6 +200,7 @@ System assemble(const Model& model, bool with_links) {
   };
   if (with_links)
     for (const Link& link : model.links) {
+      if (!included.joins(model, link)) continue;
       add_column(link, link.direction);
       system.contacts.push_back(link.contact.get());
       ContactMemory& memory = system.initial_contacts.emplace_back(link.contact->initial());
@@ -190,6 +209,7 @@ System assemble(const Model& model, bool with_links) {
     }
   const std::vector<Eigen::VectorXd> given_way = rests_by_yielding(model);
   for (std::size_t i = 0; i < model.structures.size(); ++i) {
+    if (!included.structures[i]) continue;
     if (is_displaced)
       for (const double deformation : deformations_at_rest(model.structures[i])) loaded_from.push_back(deformation);
     add_entries(relief, model.structures[i].yielding_flexibility, static_cast<int>(system.is_part.size()));
@@ -206,20 +226,23 @@ System assemble(const Model& model, bool with_links) {
     }
   }
   for (const Device& device : model.devices) {
+    if (!included.joins(model, device)) continue;
     add_column(device, -device.direction, true);  // elongation
     system.elements.push_back(device.member.get());
     system.is_part.push_back(false);
     system.names.push_back(device.name);
   }
-  for (std::size_t i = 0; with_links && i < model.links.size(); ++i) {
-    const Link& link = model.links[i];
+  int contact = -1;
+  for (const Link& link : model.links) {
+    if (!with_links || !included.joins(model, link)) continue;
+    ++contact;
     if (link.friction == 0) continue;
     int dimension = 1;
     for (const LinkEnd* end : {&link.left, &link.right})
       if (const Structure& s = model.structures[end->structure]; !s.is_rigid())
         dimension = std::max(dimension, s.dimension);
     const std::vector<Eigen::Vector3d> sliding = tangents(link.direction, dimension);
-    system.frictions.push_back({.contact = static_cast<int>(i),
+    system.frictions.push_back({.contact = contact,
                                 .first = static_cast<int>(columns.size()),
                                 .count = static_cast<int>(sliding.size()),
                                 .coefficient = link.friction,
@@ -260,21 +283,22 @@ System assemble(const Model& model, bool with_links) {
   }
   if (links > 0 && by_ground.cwiseAbs().maxCoeff() > 0) system.gap_by_ground = by_ground;
   if (links > 0 && at_rest.cwiseAbs().maxCoeff() > 0) system.gravity_offset = at_rest;
-  system.outputs = floor_motions(model);
+  system.outputs = floor_motions(model, included);
   return system;
 }
 
-std::pair<Eigen::VectorXd, Eigen::VectorXd> initial_state(const Model& model, bool with_links) {
-  const std::vector<int> first = offsets(model);
-  const int n = total_size(model);
-  Eigen::VectorXd u(n), v(n);
+std::pair<Eigen::VectorXd, Eigen::VectorXd> initial_state(const Model& model, const Assembly& assembly) {
+  const Included included(model, assembly.structures);
+  Eigen::VectorXd u(included.size), v(included.size);
   const std::vector<Eigen::VectorXd> given_way = rests_by_yielding(model);
   for (std::size_t i = 0; i < model.structures.size(); ++i) {
+    if (!included.structures[i]) continue;
     const Structure& s = model.structures[i];
-    u.segment(first[i], s.size()) = s.initial_displacement;
-    if (with_links && s.preload_displacement.size() > 0) u.segment(first[i], s.size()) += s.preload_displacement;
-    if (given_way[i].size() > 0) u.segment(first[i], s.size()) += given_way[i];
-    v.segment(first[i], s.size()) = s.initial_velocity;
+    auto own = u.segment(included.first[i], s.size());
+    own = s.initial_displacement;
+    if (assembly.with_links && s.preload_displacement.size() > 0) own += s.preload_displacement;
+    if (given_way[i].size() > 0) own += given_way[i];
+    v.segment(included.first[i], s.size()) = s.initial_velocity;
   }
   return {u, v};
 }

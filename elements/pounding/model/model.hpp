@@ -315,15 +315,30 @@ class Model {
 /// Throws ModelError for a structure name that is not allowed in files.
 void require_structure_name(const std::string& name);
 
-/// Equations of motion of a complete model, which owns the contacts and elements. `with_links` false omits the links
+/// Structures that are integrated together.
+struct Assembly {
+  std::vector<int> structures{};  ///< indices, increasing; empty for all of the model
+  bool with_links = true;         ///< false omits the links but not the devices
+};
+
+/// Equations of motion of a complete model or of some of its structures, with the links and devices between them. The
+/// model owns the contacts and elements, and must outlive the system. Walls belong to every assembly. Throws
+/// std::invalid_argument for a link or device to a structure that is not included.
+System assemble(const Model& model, const Assembly& assembly);
+/// Of all structures. `with_links` false omits the links
 /// but not the devices.
-System assemble(const Model& model, bool with_links = true);
+inline System assemble(const Model& model, bool with_links = true) {
+  return assemble(model, Assembly{.with_links = with_links});
+}
 
 /// First unknown of each structure in the assembled system.
 std::vector<int> offsets(const Model& model);
 
 /// Initial displacements and velocities of the assembled system. Without links, preloads cause no displacement.
-std::pair<Eigen::VectorXd, Eigen::VectorXd> initial_state(const Model& model, bool with_links = true);
+std::pair<Eigen::VectorXd, Eigen::VectorXd> initial_state(const Model& model, const Assembly& assembly);
+inline std::pair<Eigen::VectorXd, Eigen::VectorXd> initial_state(const Model& model, bool with_links = true) {
+  return initial_state(model, Assembly{.with_links = with_links});
+}
 
 /// Structures joined by bars: their indices, and the lowest frequencies of the joint system, increasing [rad/s].
 struct JoinedByBars {

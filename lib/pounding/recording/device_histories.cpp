@@ -3,7 +3,7 @@
 #include <pounding/recording/headings.hpp>
 
 namespace pounding {
-DeviceHistories::DeviceHistories(const Model& model, const Stepper& stepper, std::vector<DeviceHistory>& histories)
+DeviceHistories::DeviceHistories(const Model& model, const StepView& stepper, std::vector<DeviceHistory>& histories)
     : stepper_(stepper),
       histories_(histories),
       first_(stepper.system().contact_count() + stepper.system().spring_count() - model.devices.size()) {

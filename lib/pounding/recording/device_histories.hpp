@@ -8,7 +8,7 @@
 #include <pounding/model/model.hpp>
 #include <pounding/results/results.hpp>
 #include <pounding/results/summary.hpp>
-#include <pounding/stepping/stepper.hpp>
+#include <pounding/stepping/step_view.hpp>
 
 namespace pounding {
 
@@ -16,7 +16,7 @@ namespace pounding {
 class DeviceHistories {
  public:
   /// Creates one history per device in `histories`. All arguments must outlive this.
-  DeviceHistories(const Model& model, const Stepper& stepper, std::vector<DeviceHistory>& histories);
+  DeviceHistories(const Model& model, const StepView& stepper, std::vector<DeviceHistory>& histories);
 
   /// Records the initial state.
   void begin();
@@ -33,7 +33,7 @@ class DeviceHistories {
   const LinkStep& step_of(std::size_t device) const { return stepper_.link_step(static_cast<int>(first_ + device)); }
   double force_now(std::size_t device) const { return stepper_.link_forces()[static_cast<int>(first_ + device)]; }
 
-  const Stepper& stepper_;
+  const StepView& stepper_;
   std::vector<DeviceHistory>& histories_;
   std::size_t first_;  // link of the first device
 };

@@ -22,7 +22,7 @@ bool yields(const Structure& s) { return s.dimension > 1 && !s.yielding.empty();
 
 }  // namespace
 
-ForceEnvelopes::ForceEnvelopes(const Model& model, const GroundPlan& plan, const Stepper& stepper, Results& results)
+ForceEnvelopes::ForceEnvelopes(const Model& model, const GroundPlan& plan, const StepView& stepper, Results& results)
     : model_(model),
       plan_(plan),
       stepper_(stepper),

@@ -11,7 +11,7 @@
 #include <pounding/recording/linear_quantities.hpp>
 #include <pounding/recording/step_motion.hpp>
 #include <pounding/results/results.hpp>
-#include <pounding/stepping/stepper.hpp>
+#include <pounding/stepping/step_view.hpp>
 
 namespace pounding {
 
@@ -23,7 +23,7 @@ class ForceEnvelopes {
  public:
   /// Fills the envelopes of the structures in `results`, and `approach` in a run without links. All arguments must
   /// outlive this.
-  ForceEnvelopes(const Model& model, const GroundPlan& plan, const Stepper& stepper, Results& results);
+  ForceEnvelopes(const Model& model, const GroundPlan& plan, const StepView& stepper, Results& results);
 
   /// Records the initial state.
   void begin();
@@ -74,7 +74,7 @@ class ForceEnvelopes {
 
   const Model& model_;
   const GroundPlan& plan_;
-  const Stepper& stepper_;
+  const StepView& stepper_;
   Results& results_;
   std::vector<int> first_unknown_;  // by structure
   std::vector<int> first_spring_;   // by structure

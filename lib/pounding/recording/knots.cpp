@@ -14,7 +14,7 @@ constexpr double allowed_miss = 1e-5;
 
 }  // namespace
 
-Knots::Knots(const Stepper& stepper)
+Knots::Knots(const StepView& stepper)
     : stepper_(stepper), largest_(stepper.system().groups.size()), strayed_(largest_), norms_(largest_) {}
 
 void Knots::set(const Instant& instant) {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include <pounding/core/archive.hpp>
-#include <pounding/stepping/stepper.hpp>
+#include <pounding/stepping/step_view.hpp>
 
 namespace pounding {
 
@@ -13,7 +13,7 @@ namespace pounding {
 class Knots {
  public:
   /// `stepper` must outlive this.
-  explicit Knots(const Stepper& stepper);
+  explicit Knots(const StepView& stepper);
 
   /// The last knot [s].
   double last() const { return last_; }
@@ -28,7 +28,7 @@ class Knots {
  private:
   void take_norms(const Eigen::VectorXd& x);
 
-  const Stepper& stepper_;
+  const StepView& stepper_;
   double last_ = 0;
   Eigen::VectorXd acceleration_;  // at the last knot, in solver coordinates
   // By group, as square roots of strain energy: largest displacement up to now, and largest deviation of the

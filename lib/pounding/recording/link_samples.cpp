@@ -121,7 +121,7 @@ void ImpactSamples::finish(LinkHistory& history) {
 
 void ImpactSamples::archive(Archive& archive) { archive(samples_, last_, stride_, skipped_); }
 
-LinkSamples::LinkSamples(const Model& model, const Stepper& stepper, std::vector<LinkHistory>& histories)
+LinkSamples::LinkSamples(const Model& model, const StepView& stepper, std::vector<LinkHistory>& histories)
     : model_(model), stepper_(stepper), histories_(histories) {
   if (stepper.system().contact_count() == 0) return;
   for (const Link& link : model.links) histories_.push_back(heading(link, model));

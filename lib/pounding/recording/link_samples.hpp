@@ -10,7 +10,7 @@
 #include <pounding/model/model.hpp>
 #include <pounding/results/envelope.hpp>
 #include <pounding/results/results.hpp>
-#include <pounding/stepping/stepper.hpp>
+#include <pounding/stepping/step_view.hpp>
 
 namespace pounding {
 
@@ -51,7 +51,7 @@ class ImpactSamples {
 class LinkSamples {
  public:
   /// Creates one history per link in `histories`; none for a system without contacts. All arguments must outlive this.
-  LinkSamples(const Model& model, const Stepper& stepper, std::vector<LinkHistory>& histories);
+  LinkSamples(const Model& model, const StepView& stepper, std::vector<LinkHistory>& histories);
 
   /// Reads the gaps at the start of the run.
   void begin();
@@ -78,7 +78,7 @@ class LinkSamples {
   void add_between(const Inside& in, double s, double force_s, double e, double force_e, int depth);
 
   const Model& model_;
-  const Stepper& stepper_;
+  const StepView& stepper_;
   std::vector<LinkHistory>& histories_;
   std::vector<ImpactSamples> impacts_;
   std::vector<int> first_tangent_;    // by link: first column of its friction; -1 for none

@@ -8,7 +8,7 @@
 
 namespace pounding {
 
-Recorder::Recorder(const Model& model, const Stepper& stepper, Results& results)
+Recorder::Recorder(const Model& model, const StepView& stepper, Results& results)
     : model_(model),
       stepper_(stepper),
       results_(results),

@@ -19,7 +19,7 @@
 #include <pounding/recording/structure_histories.hpp>
 #include <pounding/results/results.hpp>
 #include <pounding/results/summary.hpp>
-#include <pounding/stepping/stepper.hpp>
+#include <pounding/stepping/step_view.hpp>
 
 namespace pounding {
 
@@ -27,7 +27,7 @@ namespace pounding {
 class Recorder {
  public:
   /// Creates the histories in `results`. All arguments must outlive this.
-  Recorder(const Model& model, const Stepper& stepper, Results& results);
+  Recorder(const Model& model, const StepView& stepper, Results& results);
   Recorder(const Recorder&) = delete;
   Recorder& operator=(const Recorder&) = delete;
 
@@ -61,7 +61,7 @@ class Recorder {
   bool has_links() const { return stepper_.system().contact_count() > 0; }
 
   const Model& model_;
-  const Stepper& stepper_;
+  const StepView& stepper_;
   Results& results_;
   GroundPlan plan_;
   FloorResponse response_;

@@ -66,7 +66,7 @@ void reach(SpringHistory& history, const YieldingPart& part, std::size_t i, doub
 
 }  // namespace
 
-SpringHistories::SpringHistories(const Model& model, const FloorResponse& response, const Stepper& stepper,
+SpringHistories::SpringHistories(const Model& model, const FloorResponse& response, const StepView& stepper,
                                  std::vector<StructureHistory>& histories)
     : model_(model), response_(response), stepper_(stepper), histories_(histories) {
   std::size_t link = stepper.system().contact_count();

@@ -10,7 +10,7 @@
 #include <pounding/recording/floor_response.hpp>
 #include <pounding/results/results.hpp>
 #include <pounding/results/summary.hpp>
-#include <pounding/stepping/stepper.hpp>
+#include <pounding/stepping/step_view.hpp>
 
 namespace pounding {
 
@@ -18,7 +18,7 @@ namespace pounding {
 class SpringHistories {
  public:
   /// `histories` has one entry per structure. All arguments must outlive this.
-  SpringHistories(const Model& model, const FloorResponse& response, const Stepper& stepper,
+  SpringHistories(const Model& model, const FloorResponse& response, const StepView& stepper,
                   std::vector<StructureHistory>& histories);
 
   /// Records the initial state.
@@ -56,7 +56,7 @@ class SpringHistories {
 
   const Model& model_;
   const FloorResponse& response_;
-  const Stepper& stepper_;
+  const StepView& stepper_;
   std::vector<StructureHistory>& histories_;
   std::vector<std::size_t> first_;  // by structure: link of its first part
   std::vector<double> assembled_;   // by part of all structures: stiffness included in K

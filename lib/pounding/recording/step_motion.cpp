@@ -10,7 +10,7 @@ constexpr double shortest_before = 0.25, max_missed = 0.1;
 
 }  // namespace
 
-StepMotion::StepMotion(const FloorResponse& response, const Stepper& stepper)
+StepMotion::StepMotion(const FloorResponse& response, const StepView& stepper)
     : response_(response), stepper_(stepper) {}
 
 void StepMotion::take() {

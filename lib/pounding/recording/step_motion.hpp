@@ -6,7 +6,7 @@
 #include <pounding/core/archive_eigen.hpp>
 #include <pounding/recording/floor_response.hpp>
 #include <pounding/results/envelope.hpp>
-#include <pounding/stepping/stepper.hpp>
+#include <pounding/stepping/step_view.hpp>
 
 namespace pounding {
 
@@ -14,7 +14,7 @@ namespace pounding {
 class StepMotion {
  public:
   /// Both arguments must outlive this.
-  StepMotion(const FloorResponse& response, const Stepper& stepper);
+  StepMotion(const FloorResponse& response, const StepView& stepper);
 
   /// Reads the step that the stepper has just accepted. Call it once per step.
   void take();
@@ -43,7 +43,7 @@ class StepMotion {
   void find_missed_bend();
 
   const FloorResponse& response_;
-  const Stepper& stepper_;
+  const StepView& stepper_;
   bool taken_ = false;      // true if the previous step was recorded
   Eigen::MatrixXd missed_;  // correction to the parabola of the acceleration: [row, alpha beta] of Quartic
   struct {

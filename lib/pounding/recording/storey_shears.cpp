@@ -4,7 +4,7 @@
 
 namespace pounding {
 
-StoreyShears::StoreyShears(const Model& model, const Stepper& stepper, Results& results)
+StoreyShears::StoreyShears(const Model& model, const StepView& stepper, Results& results)
     : model_(model), stepper_(stepper), results_(results) {
   std::size_t spring = stepper.system().contact_count();
   int row = 0;

@@ -7,7 +7,7 @@
 #include <pounding/model/model.hpp>
 #include <pounding/recording/step_motion.hpp>
 #include <pounding/results/results.hpp>
-#include <pounding/stepping/stepper.hpp>
+#include <pounding/stepping/step_view.hpp>
 
 namespace pounding {
 
@@ -15,7 +15,7 @@ namespace pounding {
 class StoreyShears {
  public:
   /// Fills `results`. All arguments must outlive this.
-  StoreyShears(const Model& model, const Stepper& stepper, Results& results);
+  StoreyShears(const Model& model, const StepView& stepper, Results& results);
 
   /// Records the initial state; `floors` is its motion as completed by FloorResponse.
   void begin(const Eigen::MatrixXd& floors);
@@ -30,7 +30,7 @@ class StoreyShears {
   void visit_storeys(bool elastic, Visit&& visit) const;
 
   const Model& model_;
-  const Stepper& stepper_;
+  const StepView& stepper_;
   Results& results_;
   std::vector<std::size_t> first_spring_;  // by structure: its lowest yielding storey in the link steps
   std::vector<int> first_row_;             // by structure: its lowest floor in the motions

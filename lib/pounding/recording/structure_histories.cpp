@@ -26,7 +26,7 @@ void add_to_last(std::vector<double>& values, const Factors& factors, double amo
 }  // namespace
 
 StructureHistories::StructureHistories(const Model& model, const GroundPlan& plan, const FloorResponse& response,
-                                       const Stepper& stepper, std::vector<StructureHistory>& histories)
+                                       const StepView& stepper, std::vector<StructureHistory>& histories)
     : model_(model),
       plan_(plan),
       response_(response),

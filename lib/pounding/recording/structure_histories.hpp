@@ -11,7 +11,7 @@
 #include <pounding/recording/floor_response.hpp>
 #include <pounding/recording/frame_quantities.hpp>
 #include <pounding/results/results.hpp>
-#include <pounding/stepping/stepper.hpp>
+#include <pounding/stepping/step_view.hpp>
 
 namespace pounding {
 
@@ -27,7 +27,7 @@ struct OutputInstant {
 class StructureHistories {
  public:
   /// Creates one history per structure in `histories`. All arguments must outlive this.
-  StructureHistories(const Model& model, const GroundPlan& plan, const FloorResponse& response, const Stepper& stepper,
+  StructureHistories(const Model& model, const GroundPlan& plan, const FloorResponse& response, const StepView& stepper,
                      std::vector<StructureHistory>& histories);
 
   /// Appends one sample to every history.
@@ -47,7 +47,7 @@ class StructureHistories {
   const Model& model_;
   const GroundPlan& plan_;
   const FloorResponse& response_;
-  const Stepper& stepper_;
+  const StepView& stepper_;
   std::vector<StructureHistory>& histories_;
   std::vector<int> first_unknown_;              // by structure
   std::vector<std::size_t> first_spring_;       // by structure: its lowest yielding storey in the link steps

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include <pounding/core/archive_eigen.hpp>
-#include <pounding/stepping/stepper.hpp>
+#include <pounding/stepping/step_view.hpp>
 
 namespace pounding {
 
@@ -46,7 +46,7 @@ class ImpactWindows {
   static constexpr std::size_t maximum = 3;
 
   /// `counts`: by contact, true if its impacts are observed. `stepper` must outlive this object.
-  ImpactWindows(const Stepper& stepper, std::vector<bool> counts) : stepper_(stepper), counts_(std::move(counts)) {}
+  ImpactWindows(const StepView& stepper, std::vector<bool> counts) : stepper_(stepper), counts_(std::move(counts)) {}
 
   /// Follows one accepted step.
   void step();
@@ -61,7 +61,7 @@ class ImpactWindows {
   bool presses() const;
   void record();
 
-  const Stepper& stepper_;
+  const StepView& stepper_;
   std::vector<bool> counts_;
   std::vector<ImpactWindow> hardest_;
   ImpactWindow present_;  // without steps if no contact presses

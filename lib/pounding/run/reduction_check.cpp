@@ -13,7 +13,7 @@ double over(double difference, double largest) { return difference > 0 ? differe
 
 }  // namespace
 
-ReductionCheck::ReductionCheck(const Model& model, const FloorResponse& response, const Stepper& stepper)
+ReductionCheck::ReductionCheck(const Model& model, const FloorResponse& response, const StepView& stepper)
     : model_(model),
       stepper_(stepper),
       checked_([&] {

@@ -13,7 +13,7 @@
 #include <pounding/recording/floor_response.hpp>
 #include <pounding/results/summary.hpp>
 #include <pounding/run/impact_windows.hpp>
-#include <pounding/stepping/stepper.hpp>
+#include <pounding/stepping/step_view.hpp>
 
 namespace pounding {
 
@@ -29,7 +29,7 @@ namespace pounding {
 class ReductionCheck {
  public:
   /// All arguments must outlive this object.
-  ReductionCheck(const Model& model, const FloorResponse& response, const Stepper& stepper);
+  ReductionCheck(const Model& model, const FloorResponse& response, const StepView& stepper);
 
   /// Follows one accepted step.
   void step();
@@ -55,7 +55,7 @@ class ReductionCheck {
   void compare_forces(const ImpactWindow& window);
 
   const Model& model_;
-  const Stepper& stepper_;
+  const StepView& stepper_;
   std::vector<Checked> checked_;
   ImpactWindows windows_;
   std::size_t done_ = 0;              // number of structures integrated through a window, window by window

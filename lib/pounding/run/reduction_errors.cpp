@@ -35,7 +35,7 @@ double bound_of(const Reduction& requested, double tolerance) {
 
 }  // namespace
 
-ReductionErrors::ReductionErrors(const Model& model, const FloorResponse& response, const Stepper& stepper)
+ReductionErrors::ReductionErrors(const Model& model, const FloorResponse& response, const StepView& stepper)
     : model_(model), stepper_(stepper), shadowed_(dynamic_cast<const ShadowedSolver*>(&stepper.base())) {
   if (!shadowed_) return;
   for (std::vector<double>* by_link : {&forces_, &peaks_, &shadow_peaks_})

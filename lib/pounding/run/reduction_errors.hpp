@@ -13,7 +13,7 @@
 #include <pounding/recording/linear_quantities.hpp>
 #include <pounding/reduction/shadowed_solver.hpp>
 #include <pounding/results/summary.hpp>
-#include <pounding/stepping/stepper.hpp>
+#include <pounding/stepping/step_view.hpp>
 
 namespace pounding {
 
@@ -34,7 +34,7 @@ namespace pounding {
 class ReductionErrors {
  public:
   /// All arguments must outlive this object.
-  ReductionErrors(const Model& model, const FloorResponse& response, const Stepper& stepper);
+  ReductionErrors(const Model& model, const FloorResponse& response, const StepView& stepper);
 
   /// Follows one accepted step; `output_due`: it contains an output time.
   void step(bool output_due);
@@ -80,7 +80,7 @@ class ReductionErrors {
   void add_yielding(const Floors& floors);
 
   const Model& model_;
-  const Stepper& stepper_;
+  const StepView& stepper_;
   const ShadowedSolver* shadowed_;            // null without a shadow
   std::vector<Floors> floors_;                // of the structures with a shadow
   std::vector<double> nearer_;                // by link, ratio of the errors of the run and of the shadow

@@ -7,7 +7,7 @@
 #include <pounding/results/summary.hpp>
 #include <pounding/run/reduction_check.hpp>
 #include <pounding/run/reduction_errors.hpp>
-#include <pounding/stepping/stepper.hpp>
+#include <pounding/stepping/step_view.hpp>
 
 namespace pounding {
 
@@ -17,7 +17,7 @@ struct ReductionReport {
   ReductionCheck check;
 
   /// All arguments must outlive this object.
-  ReductionReport(const Model& model, const FloorResponse& response, const Stepper& stepper)
+  ReductionReport(const Model& model, const FloorResponse& response, const StepView& stepper)
       : errors(model, response, stepper), check(model, response, stepper) {}
 
   /// Follows one accepted step; `output_due` is true if it contains an output time.

@@ -35,7 +35,7 @@ namespace {
 // depth, since light damping needs many blocks.
 int still_deeper(int deeper) { return deeper + 2 + deeper / 2; }
 
-void fill_statistics(TS ts, const Stepper& stepper, SolverStatistics& solver) {
+void fill_statistics(TS ts, const StepView& stepper, SolverStatistics& solver) {
   PetscInt steps = 0, rejected = 0;
   petsc::check(TSGetStepNumber(ts, &steps));
   petsc::check(TSGetStepRejections(ts, &rejected));
@@ -107,12 +107,12 @@ std::optional<Outcome> try_run(const Task& task, bool with_links, const Outcome&
   petsc::check(petsc::set_stepper(setup.ts, &stepper));
   petsc::check(petsc::set_lazy_vectors(setup.ts, PETSC_TRUE));
   stepper.start(0, u, v);
-  stepper.prepare(stepper.step_towards(settings.first_step, settings.duration));
+  stepper.prepare(stepper.view().step_towards(settings.first_step, settings.duration));
   refuse_unread_options(true);
 
-  Recorder recorder(model, stepper, results);
-  ReductionReport reduction(model, recorder.response(), stepper);
-  RunWriter writer(model, options, task.write, setup.ts, stepper, recorder, reduction, outcome, since_start, plan);
+  Recorder recorder(model, stepper.view(), results);
+  ReductionReport reduction(model, recorder.response(), stepper.view());
+  RunWriter writer(model, options, task.write, setup.ts, stepper.view(), recorder, reduction, outcome, since_start, plan);
   if (earlier)
     writer.restart(*earlier);
   else
@@ -121,7 +121,7 @@ std::optional<Outcome> try_run(const Task& task, bool with_links, const Outcome&
   writer.save();
   writer.write("running");
 
-  RunMonitor monitor(options, settings.duration, since_start, setup.ts, stepper, recorder, reduction, writer);
+  RunMonitor monitor(options, settings.duration, since_start, setup.ts, stepper.view(), recorder, reduction, writer);
   std::string failure = monitor.solve();
   if (failure.empty() && reduction.check.is_requested()) {  // may take long, and can be stopped
     writer.save();
@@ -129,7 +129,7 @@ std::optional<Outcome> try_run(const Task& task, bool with_links, const Outcome&
   }
   recorder.end();
   reduction.errors.end();
-  fill_statistics(setup.ts, stepper, results.solver);
+  fill_statistics(setup.ts, stepper.view(), results.solver);
   results.solver.wall_seconds = writer.seconds();
   results.solver.wall_solve = results.solver.wall_seconds - results.solver.wall_setup - results.solver.wall_output;
   if (failure.empty()) {

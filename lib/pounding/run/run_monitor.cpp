@@ -20,7 +20,7 @@ constexpr double seconds_between_reports = 0.1;
 }  // namespace
 
 RunMonitor::RunMonitor(const RunOptions& options, double duration, const Stopwatch& since_start, TS ts,
-                       const Stepper& stepper, Recorder& recorder, ReductionReport& reduction, RunWriter& writer)
+                       const StepView& stepper, Recorder& recorder, ReductionReport& reduction, RunWriter& writer)
     : ranks_(options.comm),
       options_(options),
       duration_(duration),

@@ -20,7 +20,7 @@ class RunMonitor {
  public:
   /// `duration` of the run [s]; `since_start` measures the time since the beginning. All other arguments must outlive
   /// this object.
-  RunMonitor(const RunOptions& options, double duration, const Stopwatch& since_start, TS ts, const Stepper& stepper,
+  RunMonitor(const RunOptions& options, double duration, const Stopwatch& since_start, TS ts, const StepView& stepper,
              Recorder& recorder, ReductionReport& reduction, RunWriter& writer);
 
   /// Runs TSSolve. Returns the reason if the run ended before its duration; empty otherwise.
@@ -44,7 +44,7 @@ class RunMonitor {
   const RunOptions& options_;
   double duration_;
   TS ts_;
-  const Stepper& stepper_;
+  const StepView& stepper_;
   Recorder& recorder_;
   ReductionReport& reduction_;
   RunWriter& writer_;

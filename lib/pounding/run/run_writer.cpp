@@ -18,7 +18,7 @@ constexpr double seconds_between_writes = 1;
 
 }  // namespace
 
-RunWriter::RunWriter(const Model& model, const RunOptions& options, WriteResults write, TS ts, const Stepper& stepper,
+RunWriter::RunWriter(const Model& model, const RunOptions& options, WriteResults write, TS ts, const StepView& stepper,
                      Recorder& recorder, ReductionReport& reduction, Outcome& outcome, const Stopwatch& since_start,
                      const petsc::ReductionPlan& plan)
     : ranks_(options.comm),

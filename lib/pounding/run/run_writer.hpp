@@ -27,7 +27,7 @@ class RunWriter {
  public:
   /// `write` is empty for a run without a file; `since_start` measures the time since the beginning of the run. All
   /// other arguments must outlive this object.
-  RunWriter(const Model& model, const RunOptions& options, WriteResults write, TS ts, const Stepper& stepper,
+  RunWriter(const Model& model, const RunOptions& options, WriteResults write, TS ts, const StepView& stepper,
             Recorder& recorder, ReductionReport& reduction, Outcome& outcome, const Stopwatch& since_start,
             const petsc::ReductionPlan& plan);
 
@@ -56,7 +56,7 @@ class RunWriter {
   const RunOptions& options_;
   WriteResults write_results_;
   TS ts_;
-  const Stepper& stepper_;
+  const StepView& stepper_;
   Recorder& recorder_;
   ReductionReport& reduction_;
   Outcome& outcome_;

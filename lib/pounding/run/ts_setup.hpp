@@ -8,7 +8,7 @@
 #include <pounding/linear/make_solver.hpp>
 #include <pounding/model/model.hpp>
 #include <pounding/petsc/handle.hpp>
-#include <pounding/stepping/stepper.hpp>
+#include <pounding/stepping/step_view.hpp>
 
 namespace pounding {
 

@@ -118,8 +118,8 @@ Followed follow(const System& alone, StructureSolver& solver, const ImpactWindow
   Eigen::MatrixXd motion;
   for (Eigen::Index k = 0; k < found.u.cols(); ++k) {
     const double time = window.steps[static_cast<std::size_t>(k)].end;
-    while (stepper.time() < time) controller.advance(h, window.end(), steps);
-    stepper.interpolate_outputs(time, motion);
+    while (stepper.view().time() < time) controller.advance(h, window.end(), steps);
+    stepper.view().interpolate_outputs(time, motion);
     found.u.col(k) = motion.col(0);
     found.v.col(k) = motion.col(1);
   }

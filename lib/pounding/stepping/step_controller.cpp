@@ -31,7 +31,7 @@ constexpr double max_last_growth = 1.01;
 
 }  // namespace
 
-StepSizePolicy::Verdict ErrorControl::judge(const Stepper& stepper, double step) {
+StepSizePolicy::Verdict ErrorControl::judge(const StepView& stepper, double step) {
   const double error = stepper.error_ratio();
   const bool accepted = error <= 1;
   const double share = accepted ? safety : safety * safety_after_rejection;
@@ -44,30 +44,30 @@ StepSizePolicy::Verdict ErrorControl::judge(const Stepper& stepper, double step)
 }
 
 StepController::Aim StepController::aim(double wanted, double end, bool fixed) const {
-  const double target = std::min(stepper_.next_break(), end);
-  const double left = target - stepper_.time();
-  const double step = fixed ? wanted : stepper_.step_towards(wanted, left);
+  const double target = std::min(stepper_.view().next_break(), end);
+  const double left = target - stepper_.view().time();
+  const double step = fixed ? wanted : stepper_.view().step_towards(wanted, left);
   if (left > wanted * (1 + max_stretch) && left > step * (1 + 1e-9)) return {step, std::nullopt};
   return {std::abs(left - step) <= 1e-9 * step ? step : left, target};
 }
 
 void StepController::give_up(double step, const std::string& reason) const {
-  const int link = stepper_.troublesome_link();
-  const std::vector<std::string>& names = stepper_.system().names;
+  const int link = stepper_.view().troublesome_link();
+  const std::vector<std::string>& names = stepper_.view().system().names;
   std::string at;
   if (link >= 0 && link < static_cast<int>(names.size()))
-    at = (link < stepper_.system().contact_count() ? " at link " : " at ") + names[link];
+    at = (link < stepper_.view().system().contact_count() ? " at link " : " at ") + names[link];
   else if (link >= 0)
     at = fmt::format(" at link {}", link + 1);
-  throw SolverError(fmt::format("the solve stopped at t = {:.9g} s{} with a step of {:.3g} s: {}", stepper_.time(), at,
+  throw SolverError(fmt::format("the solve stopped at t = {:.9g} s{} with a step of {:.3g} s: {}", stepper_.view().time(), at,
                                 step, reason));
 }
 
 void StepController::give_up_too_short(double step) const {
   give_up(step,
           fmt::format("even the shortest step exceeds the tolerance {:g}. {}, or type a larger analysis.tolerance",
-                      stepper_.options().tolerance,
-                      stepper_.troublesome_link() < stepper_.system().contact_count()
+                      stepper_.view().options().tolerance,
+                      stepper_.view().troublesome_link() < stepper_.view().system().contact_count()
                           ? "Check the unit of the stiffness of the link"
                           : "Type some hardening for the yielding parts"));
 }
@@ -87,16 +87,16 @@ double StepController::advance(double wanted, double end, StepSizePolicy& policy
   const bool fixed = policy.fixed();
   bool aimed = false;  // at the end of a phase that the step passed
   for (;;) {
-    const double longest = stepper_.longest_step();
+    const double longest = stepper_.view().longest_step();
     const Aim goal = aim(fixed ? wanted : std::min(wanted, longest), end, fixed);
-    if (!(goal.step > shortest_part * std::max(1.0, std::abs(stepper_.time())))) give_up_too_short(goal.step);
+    if (!(goal.step > shortest_part * std::max(1.0, std::abs(stepper_.view().time())))) give_up_too_short(goal.step);
     ++trials_;
     if (!stepper_.try_step(goal.step, goal.end)) {
       reject(goal.step, policy);
       wanted = goal.step / 4;
       continue;
     }
-    const StepSizePolicy::Verdict verdict = policy.judge(stepper_, goal.step);
+    const StepSizePolicy::Verdict verdict = policy.judge(stepper_.view(), goal.step);
     if (!verdict.accepted) {
       reject(goal.step, policy);
       wanted = shortened(goal.step, verdict.next, aimed);
@@ -105,10 +105,10 @@ double StepController::advance(double wanted, double end, StepSizePolicy& policy
     // A short step to a breakpoint does not reduce the wanted length. Lengths beyond the limit of the ground motion are
     // not remembered.
     const double good = std::min(goal.end ? std::max(verdict.next, wanted) : verdict.next, longest);
-    const bool was_in_contact = stepper_.in_contact();
+    const bool was_in_contact = stepper_.view().in_contact();
     std::optional<double> located;
     try {
-      if (stepper_.may_hold_event()) located = stepper_.locate_event(fixed || stepper_.locates_corners());
+      if (stepper_.view().may_hold_event()) located = stepper_.locate_event(fixed || stepper_.view().locates_corners());
     } catch (const LostTrial&) {
       if (fixed) throw;
       reject(goal.step, policy);
@@ -121,12 +121,12 @@ double StepController::advance(double wanted, double end, StepSizePolicy& policy
       continue;
     }
     // A long trial may step over a whole contact undetected, and end inside it once it is shortened.
-    if (located && !fixed && !(stepper_.error_ratio() <= 1)) {
+    if (located && !fixed && !(stepper_.view().error_ratio() <= 1)) {
       reject(*located, policy);
       wanted = *located / 2;
       continue;
     }
-    if (located && *located < no_time(stepper_.time()))
+    if (located && *located < no_time(stepper_.view().time()))
       count_event_in_place(*located);
     else
       events_in_place_ = 0;
@@ -135,7 +135,7 @@ double StepController::advance(double wanted, double end, StepSizePolicy& policy
     } catch (const laws::BeyondDesign& error) {
       give_up(goal.step, error.what());
     }
-    const bool is_in_contact = located ? stepper_.in_contact() : was_in_contact;  // phases change only at events
+    const bool is_in_contact = located ? stepper_.view().in_contact() : was_in_contact;  // phases change only at events
     const double next = next_step(good, was_in_contact, is_in_contact);
     touched_ = is_in_contact && !was_in_contact;
     return fixed ? wanted : next;
@@ -146,7 +146,7 @@ double StepController::advance(double wanted, double end, StepSizePolicy& policy
 // that point.
 double StepController::shortened(double step, double next, bool& aimed) const {
   const double usual = std::min(next, step / 2);
-  const std::optional<double> end = aimed ? std::nullopt : stepper_.expected_end_of_phase();
+  const std::optional<double> end = aimed ? std::nullopt : stepper_.view().expected_end_of_phase();
   if (!end) return usual;
   aimed = true;
   return std::clamp(behind_end * *end, usual, max_aim * step);
@@ -163,7 +163,9 @@ double StepController::next_step(double good, bool was_in_contact, bool is_in_co
 
 void StepController::archive(Archive& archive) {
   archive(step_apart_, step_at_touch_, touched_, events_in_place_);
-  stepper_.archive(archive);
+  StepState state = archive.reading() ? StepState{} : stepper_.save();
+  archive(state);
+  if (archive.reading()) stepper_.restore(state);
 }
 
 }  // namespace pounding

@@ -22,7 +22,7 @@ class StepSizePolicy {
   /// events and the end.
   virtual bool fixed() const { return false; }
   /// Judges the trial of `stepper`, a step of length `step` [s].
-  virtual Verdict judge(const Stepper& stepper, double step) = 0;
+  virtual Verdict judge(const StepView& stepper, double step) = 0;
   /// Called when a trial is rejected. The run stops if this returns a reason.
   virtual std::string on_reject() { return {}; }
 };
@@ -41,7 +41,7 @@ class ErrorControl final : public StepSizePolicy {
  public:
   explicit ErrorControl(double max_step, double end = std::numeric_limits<double>::infinity())
       : max_step_(max_step), end_(end) {}
-  Verdict judge(const Stepper& stepper, double step) override;
+  Verdict judge(const StepView& stepper, double step) override;
   /// Number of rejected trials.
   long rejected() const { return rejected_; }
   std::string on_reject() override {

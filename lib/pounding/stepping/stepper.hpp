@@ -3,33 +3,22 @@
 /// of PETSc; see StepController for the order of these calls.
 
 #include <Eigen/Core>
+#include <cstddef>
 #include <functional>
-#include <memory>
 #include <optional>
 #include <vector>
 
-#include <pounding/core/archive_eigen.hpp>
-#include <pounding/linear/structure_solver.hpp>
-#include <pounding/model/scheme.hpp>
-#include <pounding/stepping/dense_output.hpp>
-#include <pounding/stepping/dyadic_steps.hpp>
-#include <pounding/stepping/energy_budget.hpp>
-#include <pounding/stepping/energy_ledger.hpp>
-#include <pounding/stepping/error_norm.hpp>
-#include <pounding/stepping/event_locator.hpp>
-#include <pounding/stepping/held_forces.hpp>
-#include <pounding/stepping/links/contact_events.hpp>
-#include <pounding/stepping/stage_solver.hpp>
-#include <pounding/stepping/step_history.hpp>
-#include <pounding/stepping/time_scheme.hpp>
+#include <pounding/stepping/step_view.hpp>
 
 namespace pounding {
 
-/// Accuracy and time-stepping scheme.
-struct StepperOptions {
-  double tolerance = 1e-4;  ///< relative, on displacements and forces; between 0 and 1
-  Scheme scheme = {};
-  double max_step = 0;  ///< maximum step [s]; shorter during ground motion, see Stepper::longest_step()
+/// Everything that moves, between two steps: a value that can be copied, compared and archived. It belongs to steppers of
+/// the same system, solver and options.
+struct StepState {
+  std::vector<std::byte> bytes;
+
+  bool operator==(const StepState&) const = default;
+  void archive(Archive& archive) { archive(bytes); }
 };
 
 /// Integrates the equations of motion with condensed link forces. Each stage solves the structures once with a constant
@@ -37,13 +26,11 @@ struct StepperOptions {
 ///
 /// A trial step is pure: if it is not accepted, contacts, springs and state are unchanged. Collective over the
 /// processes that share the solver.
-class Stepper {
+class Stepper final : private StepView {
  public:
   /// `solver` describes the same system; both must outlive the stepper. Throws std::invalid_argument if options are out
   /// of range or the system is inconsistent (System::check).
   Stepper(const System& system, StructureSolver& solver, const StepperOptions& options);
-  Stepper(const Stepper&) = delete;
-  Stepper& operator=(const Stepper&) = delete;
 
   /// Starts from displacements [m] and velocities [m/s] of all degrees of freedom, with the acceleration of dynamic
   /// equilibrium; massless degrees of freedom are set to static equilibrium. If called again after steps, it continues
@@ -57,164 +44,31 @@ class Stepper {
   /// Solves a trial step of length h > 0 [s]. `end`: exact end time if known (next breakpoint of the ground motion, end
   /// of the run); default time() + h. False if link forces or pseudo-forces cannot be solved.
   bool try_step(double h, std::optional<double> end = std::nullopt);
-  /// Error of the trial divided by the allowed error; acceptable if at most 1.
-  double error_ratio() const { return history_.trial().error; }
-  /// The error of the trial is proportional to this power of its length. During contact, the Simpson estimate dominates
-  /// in ESDIRK4.
-  int error_order() const {
-    return options_.scheme.error_order() + (options_.scheme.kind == Scheme::Kind::esdirk4 && stages_.presses() ? 1 : 0);
-  }
-  /// Whether the trial may hold an event; where not, locate_event() would find none.
-  bool may_hold_event() const { return locator_.may_find(history_.now(), history_.trial()); }
-  /// About where the first phase of a contact that presses ends inside the trial [s after its beginning]; nothing if
-  /// none does.
-  std::optional<double> expected_end_of_phase() const {
-    return locator_.expected_end(history_.now(), history_.trial());
-  }
   /// Shortens the trial to the first event inside it, by re-integrated steps. Returns its length [s]: zero if the event
   /// is at the beginning, `nullopt` if there is none. `at_corners`: corners of spring forces also end the trial. Throws
   /// SolverError if such a step cannot be solved.
   std::optional<double> locate_event(bool at_corners = true);
-  /// True if steps should end at corners of spring laws; false if a step of arbitrary length needs its own
-  /// factorization.
-  bool locates_corners() const { return equations_.solver.layout().step_lengths != StepLengths::needs_dyadic; }
   /// Accepts the trial and applies the events at its end.
   void accept();
   /// Applies the events at the present state without a step, after locate_event() returned zero.
   void apply_event();
 
-  /// Time of the present state [s].
-  double time() const { return history_.now().time; }
-  /// Next breakpoint (corner or jump) of any ground motion [s]; infinity if there is none.
-  double next_break() const { return equations_.supports.next_break(); }
-  /// Maximum step until then: max_step of the options, or the step that resolves the ground motions [s].
-  double longest_step() const { return longest_step_; }
-  /// The present state after any events, the beginning of the last accepted step, and the end of that step before
-  /// events. The last one is the same object as state() if no event changed the state.
-  const State& state() const { return output_.now(); }
-  const State& begin() const { return output_.begin(); }
-  const State& end_minus() const { return output_.end_minus(); }
-  /// Displacements and velocities only at the last two instants, cheaper than a full state.
-  void begin(Eigen::VectorXd& u, Eigen::VectorXd& v) const { output_.begin(u, v); }
-  void end_minus(Eigen::VectorXd& u, Eigen::VectorXd& v) const { output_.end_minus(u, v); }
-  /// The present instant, and those at the beginning and end (before events) of the last accepted step, in the
-  /// coordinates of base().
-  const Instant& instant() const { return history_.now(); }
-  const Instant& instant_begin() const { return history_.begin(); }
-  const Instant& instant_end_minus() const { return history_.kept().end; }
-  /// Output quantities at the same instants; cheaper than full states.
-  const OutputQuantities& outputs() const { return output_.outputs(); }
-  const OutputQuantities& outputs_begin() const { return output_.outputs_begin(); }
-  const OutputQuantities& outputs_end_minus() const { return output_.outputs_end_minus(); }
-  /// Output accelerations at mid-step, from dynamic equilibrium: [quantity, 1].
-  const Eigen::MatrixXd& outputs_middle() const { return output_.outputs_middle(); }
-  /// Ground accelerations at the same instants [m/s^2].
-  const Eigen::VectorXd& ground() const { return history_.now().ground; }
-  const Eigen::VectorXd& ground_begin() const { return history_.begin().ground; }
-  const Eigen::VectorXd& ground_middle() const { return history_.kept().ground_middle; }
-  const Eigen::VectorXd& ground_end_minus() const { return history_.kept().end.ground; }
-  /// The last accepted step of every link, or of one link, which is cheaper unless it is a spring.
-  const std::vector<LinkStep>& link_steps() const {
-    describe_springs();
-    return described_.steps;
-  }
-  const LinkStep& link_step(int link) const {
-    if (!described_.with_springs && equations_.links.is_spring(link)) describe(link, described_.steps[link]);
-    return described_.steps[link];
-  }
-  /// Deformations of all springs at a fraction s (0 to 1) of the last accepted step; requires springs_stayed().
-  void deformations(double s, Eigen::VectorXd& d) const;
-  /// True if no spring changed its force in the last accepted step; spring_paths() then has their deformations, see
-  /// Trial::spring_paths.
-  bool springs_stayed() const { return history_.kept().springs_stay; }
-  const Eigen::MatrixXd& spring_paths() const { return history_.kept().spring_paths; }
-  /// Forces of all links at the present state [N].
-  const Eigen::VectorXd& link_forces() const { return history_.now().force; }
-  /// Memories of contacts and elements at the present state.
-  const LinkMemory& memory() const { return equations_.links.memory(); }
-  /// Links, with the memory of each.
-  const LinkSet& links() const { return equations_.links; }
-  /// Motion of a link at the present state.
-  LinkMotion link_motion(int link) const { return equations_.links.motion(link, history_.now()); }
-  Energies energies() const { return ledger_.energies(equations_, history_.now()); }
-  /// Work done on each friction element of the system, lost and stored [J].
-  const std::vector<double>& friction_work() const { return ledger_.friction(); }
-  /// Energy that the tangential springs of each friction element store at the present state [J].
-  std::vector<double> friction_stored() const;
-  bool in_contact() const;
-  /// Link with the largest error in the last trial, or at which it could not be solved; -1 if none.
-  int troublesome_link() const { return troublesome_link_; }
+  /// The present state, the last accepted step and the trial.
+  const StepView& view() const { return *this; }
 
-  /// Displacement and velocity inside the last accepted step: cubic Hermite interpolation.
-  void interpolate(double time, Eigen::VectorXd& u, Eigen::VectorXd& v) const { output_.interpolate(time, u, v); }
-  /// Acceleration inside the last accepted step: parabola through both ends and the middle.
-  void interpolate_acceleration(double time, Eigen::VectorXd& a) const { output_.interpolate_acceleration(time, a); }
-  /// Forces of all springs inside the last accepted step [N].
-  void interpolate_springs(double time, Eigen::VectorXd& forces) const { output_.interpolate_springs(time, forces); }
-  /// Output quantities inside the last accepted step: [quantity, u v a].
-  void interpolate_outputs(double time, Eigen::MatrixXd& motion) const { output_.interpolate_outputs(time, motion); }
-
-  /// Coordinates of base() inside the last accepted step; requires is_linear(): [coordinate, u v a].
-  void interpolate_coordinates(double time, Eigen::MatrixXd& motion) const {
-    output_.interpolate_coordinates(time, motion);
-  }
-
-  /// Step to try if `wanted` is acceptable and `left` remains until a breakpoint or the end [s]: a dyadic step if the
-  /// solver prefers them, otherwise an equal fraction of `left`.
-  double step_towards(double wanted, double left) const;
-  const StepperOptions& options() const { return options_; }
-  const System& system() const { return equations_.system; }
-  const StructureSolver& base() const { return equations_.solver; }
-  /// True if all degrees of freedom follow from the coordinates of base() alone: no part of the structures yields or
-  /// rotates.
-  bool is_linear() const { return !equations_.springs.any() && !equations_.pseudo_forces.any(); }
-  /// Number of iterations for link forces and pseudo-forces, and of contact events, since the start.
-  long iterations() const { return stages_.iterations(); }
-  long events() const { return contact_events_.count(); }
-
-  /// Writes or reads the whole state between two steps, including contacts and springs; a resumed run is bitwise
-  /// identical.
-  void archive(Archive& archive);
+  /// The whole state between two steps, including contacts and elements. A stepper that restores it makes the same steps
+  /// to the bit. Throws std::runtime_error for a state of another system.
+  StepState save();
+  void restore(const StepState& state);
 
  private:
-  // The last accepted step of every link.
-  struct DescribedLinks {
-    std::vector<LinkStep> steps;
-    bool with_springs = true;  // if false, no spring changed its force, and their entries are stale
-  };
-
   void look_ahead();
-  std::optional<int> step_level(double h) const {
-    return equations_.solver.layout().step_lengths == StepLengths::any ? std::nullopt : dyadic_.level(h);
-  }
   bool solve_trial();
   void start_elements(const std::function<LinkMotion(int)>& motion_of);
   void load_elements(const Eigen::VectorXd& rest, const std::function<LinkMotion(int)>& motion_of);
-  void describe(int link, LinkStep& step) const;
-  void describe_springs() const;
   void apply_located(bool in_place);
   void balance_now();
-
-  StepperOptions options_;
-  Equations equations_;
-  const DyadicSteps dyadic_;
-  ErrorNorm norm_;
-  StageSolver stages_;
-  std::unique_ptr<TimeScheme> scheme_;
-  StepHistory history_;
-  StepError error_;
-  double longest_step_;
-  EventFunctions functions_;
-  EventLocator locator_;
-  EnergyLedger ledger_;
-  EnergyBudget budget_;
-  ContactEvents contact_events_;
-  HeldForces held_forces_;
-  DenseOutput output_;
-  mutable DescribedLinks described_;
-  std::vector<EventId> located_;  // events at the end of the trial
-  int troublesome_link_ = -1;
-  bool started_ = false;
+  void archive(Archive& archive);
 };
 
 }  // namespace pounding

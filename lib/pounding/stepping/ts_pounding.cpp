@@ -47,13 +47,13 @@ PetscErrorCode create_adapt(TSAdapt) { return POUNDING_PETSC_SUCCESS; }
 // ErrorControl, or the TSAdapt of the TS if another type is selected.
 class TsPolicy final : public StepSizePolicy {
  public:
-  TsPolicy(TS ts, const Stepper& stepper)
+  TsPolicy(TS ts, const StepView& stepper)
       : ts_(ts),
         control_(stepper.options().max_step, ts->exact_final_time == TS_EXACTFINALTIME_MATCHSTEP
                                                  ? ts->max_time
                                                  : std::numeric_limits<double>::infinity()) {}
   bool fixed() const override { return adapts_by(TSADAPTNONE); }
-  Verdict judge(const Stepper& stepper, double step) override {
+  Verdict judge(const StepView& stepper, double step) override {
     if (adapts_by(ts_type)) return control_.judge(stepper, step);
     PetscBool accepted = PETSC_FALSE;
     PetscReal next = step;
@@ -80,7 +80,7 @@ class TsPolicy final : public StepSizePolicy {
 
 PetscErrorCode write_vectors(TS ts) {
   PetscFunctionBegin;
-  const State& state = data_of(ts).stepper()->state();
+  const State& state = data_of(ts).stepper()->view().state();
   PetscCall(scatter(state.u, ts->vec_sol));
   PetscCall(scatter(state.v, ts->vec_dot));
   PetscFunctionReturn(POUNDING_PETSC_SUCCESS);
@@ -90,9 +90,9 @@ PetscErrorCode write_vectors(TS ts) {
 PetscErrorCode advance(TS ts) {
   PetscFunctionBegin;
   Data& data = data_of(ts);
-  TsPolicy policy(ts, *data.stepper());
+  TsPolicy policy(ts, data.stepper()->view());
   ts->time_step = data.controller->advance(ts->time_step, ts->max_time, policy);
-  ts->ptime = data.stepper()->time();
+  ts->ptime = data.stepper()->view().time();
   const bool last = ts->ptime >= ts->max_time || ts->steps + 1 >= ts->max_steps;
   const bool looked_at = last || ts->numbermonitors > 0 || ts->event || ts->trajectory;
   if (!data.lazy || looked_at) PetscCall(write_vectors(ts));
@@ -105,7 +105,7 @@ PetscErrorCode step(TS ts) {
   PetscCheck(data.controller, comm_of(ts), PETSC_ERR_ORDER, "Call set_stepper() before TSSolve()");
   PetscFunctionReturn(guarded([&]() -> PetscErrorCode {
     if (ts->steprestart) {
-      Eigen::VectorXd u(data.stepper()->system().size()), v(data.stepper()->system().size());
+      Eigen::VectorXd u(data.stepper()->view().system().size()), v(data.stepper()->view().system().size());
       PetscCall(gather(ts->vec_sol, u));
       PetscCall(gather(ts->vec_dot, v));
       data.stepper()->start(ts->ptime, u, v);
@@ -133,15 +133,15 @@ PetscErrorCode roll_back(TS ts) {
 
 PetscErrorCode evaluate_error(TS ts, NormType, PetscInt* order, PetscReal* ratio) {
   PetscFunctionBegin;
-  if (order) *order = data_of(ts).stepper()->error_order();
-  *ratio = data_of(ts).stepper()->error_ratio();
+  if (order) *order = data_of(ts).stepper()->view().error_order();
+  *ratio = data_of(ts).stepper()->view().error_ratio();
   PetscFunctionReturn(POUNDING_PETSC_SUCCESS);
 }
 
 PetscErrorCode interpolate(TS ts, PetscReal time, Vec to) {
   PetscFunctionBegin;
   Eigen::VectorXd u, v;
-  data_of(ts).stepper()->interpolate(time, u, v);
+  data_of(ts).stepper()->view().interpolate(time, u, v);
   PetscCall(scatter(u, to));
   PetscFunctionReturn(POUNDING_PETSC_SUCCESS);
 }
@@ -152,9 +152,9 @@ PetscErrorCode set_up(TS ts) {
   PetscInt size = 0;
   PetscCall(VecGetSize(ts->vec_sol, &size));
   const Stepper* stepper = data_of(ts).stepper();
-  PetscCheck(!stepper || size == stepper->system().size(), comm_of(ts), PETSC_ERR_ARG_SIZ,
+  PetscCheck(!stepper || size == stepper->view().system().size(), comm_of(ts), PETSC_ERR_ARG_SIZ,
              "The solution has %d entries, the system of the stepper %d", static_cast<int>(size),
-             stepper->system().size());
+             stepper->view().system().size());
   PetscFunctionReturn(POUNDING_PETSC_SUCCESS);
 }
 
@@ -165,7 +165,7 @@ PetscErrorCode view(TS ts, PetscViewer viewer) {
   PetscCall(PetscObjectTypeCompare(reinterpret_cast<PetscObject>(viewer), PETSCVIEWERASCII, &ascii));
   if (!ascii) PetscFunctionReturn(POUNDING_PETSC_SUCCESS);
   if (!data.controller) PetscFunctionReturn(POUNDING_PETSC_SUCCESS);
-  const Stepper& stepper = *data.stepper();
+  const StepView& stepper = data.stepper()->view();
   const StepperOptions& options = stepper.options();
   PetscCall(PetscViewerASCIIPrintf(viewer, "  scheme %s", std::string(options.scheme.name()).c_str()));
   if (options.scheme.kind == Scheme::Kind::generalized_alpha)

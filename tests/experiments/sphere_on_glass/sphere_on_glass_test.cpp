@@ -81,12 +81,12 @@ Rebound strike(double degrees, Compliance compliance) {
   Stepper stepper(system, base, {.tolerance = 1e-6, .max_step = 1e-6});
   const Eigen::Vector3d v(vn, vt, 0);
   stepper.start(0, Eigen::Vector3d::Zero(), v);
-  const double before = stepper.energies().kinetic;
+  const double before = stepper.view().energies().kinetic;
   test::march(stepper, 1e-7 / vn + 5 * std::pow(mass() * mass() / (hertz() * hertz() * vn), 0.2), 1e-6);
-  const Eigen::VectorXd& after = stepper.state().v;
-  EXPECT_FALSE(stepper.in_contact());
+  const Eigen::VectorXd& after = stepper.view().state().v;
+  EXPECT_FALSE(stepper.view().in_contact());
   return {after[1] / vt, after[2], std::atan2(after[1] + radius * after[2], -after[0]) * 180 / pi, -after[0] / vn,
-          stepper.energies().imbalance() / before};
+          stepper.view().energies().imbalance() / before};
 }
 
 // The columns of measured.csv and computed.csv.
