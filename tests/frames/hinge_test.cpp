@@ -58,11 +58,15 @@ TEST(Hinges, RefuseWhatCannotBe) {
   refused(add({.about = BendingAxis::z, .yield_moment = yield}), {"left"});
   refused(add({.yield_moment = yield}, 2, {.start_releases = {Dof::ry}}), {"left", "ry"});
   refused(add({.about = BendingAxis::z, .yield_moment = yield}, 3, {.start_releases = {Dof::rz}}), {"left", "rz"});
-  refused(add({.law = hysteresis::Settings{.law = "bouc_wen", .values = {{"yield_moment", yield}}}}),
-          {"left", "stiffness_factor"});
-  refused(add({.stiffness_factor = 10,
-               .law = hysteresis::Settings{.law = "bouc_wen", .values = {{"yield_moment", yield}, {"stiffness", 1}}}}),
-          {"left", "stiffness", "hinge"});
+  refused(add({.yield_moment = yield, .law = hysteresis::BoucWen{}}), {"left", "stiffness_factor"});
+  refused(add({.yield_moment = yield, .hogging_moment = yield, .stiffness_factor = 10, .law = hysteresis::BoucWen{}}),
+          {"left", "bouc_wen", "hogging_moment"});
+  for (const auto& [name, law] : std::vector<std::pair<std::string, hysteresis::HingeLaw>>{
+           {"stiffness", hysteresis::BoucWen{.initial_stiffness = 1}},
+           {"yield_moment", hysteresis::PeakOriented{.yield_force = yield}},
+           {"spring_hardening", hysteresis::MenegottoPinto{.hardening = 0.1}},
+           {"negative_yield_force", hysteresis::Bilinear{.negative_yield_force = yield}}})
+    refused(add({.yield_moment = yield, .stiffness_factor = 10, .law = law}), {"left", name, "hinge"});
   refused(
       [] {
         Frame frame = held_beam();
@@ -176,16 +180,16 @@ TEST(Hinges, AWeightBetweenTheEndsCountsAtRest) {
 // 4/6) of 73.55 kN m before it softens; see tests/run/rest_test.cpp.
 TEST(Hinges, ALawThatIsNeverStraightTakesGravityBelowItsYieldMoment) {
   Frame frame = held_beam();
-  frame.add_hinge({.stiffness_factor = 10,
-                   .law = hysteresis::Settings{.law = "bouc_wen",
-                                               .values = {{"yield_moment", yield}, {"spring_hardening", 0.02}}}});
+  const auto bouc_wen = [](double moment) {
+    return Hinge{
+        .yield_moment = moment, .stiffness_factor = 10, .spring_hardening = 0.02, .law = hysteresis::BoucWen{}};
+  };
+  frame.add_hinge(bouc_wen(yield));
   const Structure s = made(frame, FrameGeometry::linear, true);
   EXPECT_EQ(s.yielding[0].law, "bouc_wen");
   EXPECT_NEAR(s.yielding[0].stiffness() * s.yielding[0].at_rest, -71.18e3, 5);
   Frame weak = held_beam();
-  weak.add_hinge(
-      {.stiffness_factor = 10,
-       .law = hysteresis::Settings{.law = "bouc_wen", .values = {{"yield_moment", 70e3}, {"spring_hardening", 0.02}}}});
+  weak.add_hinge(bouc_wen(70e3));
   refused([&] { made(weak, FrameGeometry::linear, true); }, {"-71.18 kN m", "-70 kN m"});
 }
 
@@ -231,24 +235,33 @@ TEST(Hinges, AreNamedByMemberEndAndAxis) {
 
 // Such a law checks its parameters against the stiffness of the spring.
 TEST(Hinges, ALawIsCheckedWithItsStiffness) {
-  const hysteresis::Settings cracking{
-      .law = "peak_oriented",
-      .values = {{"yield_moment", yield}, {"cracking_moment", 0.5 * yield}, {"yield_rotation", 0.03}}};
+  const hysteresis::PeakOriented cracking{.cracking_force = 0.5 * yield, .deformation_at_yield = 0.03};
   Frame frame = held_beam();
-  frame.add_hinge({.stiffness_factor = 10, .law = cracking});
+  frame.add_hinge({.yield_moment = yield, .stiffness_factor = 10, .law = cracking});
   EXPECT_EQ(made(frame).yielding[0].law, "peak_oriented");
-  refused([&] { held_beam().add_hinge({.stiffness = yield / 0.04, .law = cracking}); },
+  refused([&] { held_beam().add_hinge({.yield_moment = yield, .stiffness = yield / 0.04, .law = cracking}); },
           {"yield_rotation", "yield_moment", "0.03", "0.04", "left"});
 }
 
 TEST(Hinges, LawsSpeakOfMoments) {
-  const auto add = [](const hysteresis::Settings& law) {
-    return [=] { held_beam().add_hinge({.stiffness_factor = 10, .law = law}); };
+  const auto add = [](const hysteresis::HingeLaw& law, double spring_hardening = 0) {
+    return [=] {
+      held_beam().add_hinge(
+          {.yield_moment = yield, .stiffness = yield / 0.01, .spring_hardening = spring_hardening, .law = law});
+    };
   };
-  refused(add({.law = "menegotto_pinto", .values = {{"yield_moment", -yield}}}), {"left", "yield_moment", "-2e+05"});
-  refused(add({.law = "bouc_wen", .values = {{"hardening", 0.1}}}), {"left", "bouc_wen", "yield_moment"});
-  refused(add({.law = "bilinear", .values = {{"yield_force", yield}}}), {"left", "yield_moment", "yield_force"});
+  using hysteresis::PeakOriented;
+  refused(add(PeakOriented{.cracking_force = 1e5}), {"left", "peak_oriented", "cracking_moment", "yield_rotation"});
+  refused(add(PeakOriented{.cracking_force = 3e5, .deformation_at_yield = 0.03}),
+          {"cracking_moment is 3e+05", "yield_moment", "2e+05"});
+  refused(add(PeakOriented{.cracking_force = 1e5, .deformation_at_yield = 0.005}),
+          {"yield_rotation is 0.005", "yield_moment/stiffness", "0.01"});
+  refused(add(PeakOriented{.cracking_force = 1e5, .deformation_at_yield = 0.03}, 0.5), {"spring_hardening is 0.5"});
+  refused(add(hysteresis::BoucWen{.exponent = -1}), {"left", "exponent", "-1"});
 }
+
+const std::vector<hysteresis::HingeLaw> every_law{hysteresis::Bilinear{}, hysteresis::MenegottoPinto{},
+                                                  hysteresis::BoucWen{}, hysteresis::PeakOriented{}};
 
 // Ratio of the stiffness far beyond yield to the initial one.
 double kept(const YieldingPart& part) {
@@ -264,9 +277,8 @@ TEST(Hinges, HardeningIsTheRatioOfTheMemberEndInEveryForm) {
     const double k = factor * of_member, b = a / (1 + factor * (1 - a));
     EXPECT_NEAR((of_member * b * k / (of_member + b * k)) / (of_member * k / (of_member + k)), a, 1e-15);
     std::vector<Hinge> forms{{.yield_moment = yield, .hardening = a, .stiffness_factor = factor}};
-    for (const char* law : {"bilinear", "menegotto_pinto", "bouc_wen", "peak_oriented"})
-      forms.push_back({.stiffness_factor = factor,
-                       .law = hysteresis::Settings{.law = law, .values = {{"yield_moment", yield}, {"hardening", a}}}});
+    for (const hysteresis::HingeLaw& law : every_law)
+      forms.push_back({.yield_moment = yield, .hardening = a, .stiffness_factor = factor, .law = law});
     for (const Hinge& form : forms) {
       Frame frame = held_beam();
       frame.add_hinge(form);
@@ -286,14 +298,12 @@ TEST(Hinges, HardeningIsTheRatioOfTheMemberEndInEveryForm) {
 }
 
 TEST(Hinges, SpringHardeningIsThatOfTheBareSpring) {
-  for (const char* law : {"bilinear", "menegotto_pinto", "bouc_wen", "peak_oriented"}) {
+  for (const hysteresis::HingeLaw& law : every_law) {
     Frame frame = held_beam();
-    frame.add_hinge(
-        {.stiffness_factor = 10,
-         .law = hysteresis::Settings{.law = law, .values = {{"yield_moment", yield}, {"spring_hardening", 0.02}}}});
+    frame.add_hinge({.yield_moment = yield, .stiffness_factor = 10, .spring_hardening = 0.02, .law = law});
     const Structure s = made(frame);
-    EXPECT_NEAR(kept(s.yielding[0]), 0.02, 1e-8) << law;
-    EXPECT_NEAR(s.yielding[0].parameter("hardening"), 0.02 * 11 / 1.2, 1e-12) << law;
+    EXPECT_NEAR(kept(s.yielding[0]), 0.02, 1e-8) << s.yielding[0].law;
+    EXPECT_NEAR(s.yielding[0].parameter("hardening"), 0.02 * 11 / 1.2, 1e-12) << s.yielding[0].law;
   }
 }
 
@@ -325,9 +335,7 @@ TEST(Hinges, RefuseTwoMeaningsOfHardening) {
   refused(add({.yield_moment = yield, .hardening = 0.1, .stiffness_factor = 10, .spring_hardening = 0.02}),
           {"left", "spring_hardening"});
   for (const double value : {-0.01, 1.0, std::nan("")}) {
-    refused(add({.stiffness_factor = 10,
-                 .law = hysteresis::Settings{.law = "bouc_wen",
-                                             .values = {{"yield_moment", yield}, {"hardening", value}}}}),
+    refused(add({.yield_moment = yield, .hardening = value, .stiffness_factor = 10, .law = hysteresis::BoucWen{}}),
             {"left", "[0, 1)"});
     refused(add({.yield_moment = yield, .stiffness_factor = 10, .spring_hardening = value}),
             {"left", "[0, 1)", "spring_hardening"});

@@ -172,26 +172,13 @@ TEST(HystereticSpring, BeginsWhereTheRunDoesWithoutALoss) {
               1e-9);
 }
 
-std::string refusal(std::unique_ptr<Spring> (*make)(const hysteresis::Settings&),
-                    const hysteresis::Settings& settings) {
-  return test::refusal([&] { make(settings); });
-}
-
-TEST(MakeSpring, AHingeHasMomentsInItsWordsAndMessages) {
-  const Loaded hinge(make_hinge(
-      {.law = "bilinear", .values = {{"stiffness", 4e7}, {"yield_moment", 2e5}, {"negative_yield_moment", 1e5}}}));
-  EXPECT_EQ(hinge.stiffness(), 4e7);
-  EXPECT_NEAR(4e7 * 0.1 + hinge.evaluate({0.1, 0}).force, 2e5, 1e-6);
-  EXPECT_NEAR(-4e7 * 0.1 + hinge.evaluate({-0.1, 0}).force, -1e5, 1e-6);
-  EXPECT_TRUE(test::mentions(refusal(make_hinge, {.law = "menegotto_pinto", .values = {{"stiffness", 4e7}}}),
-                             {"menegotto_pinto", "yield_moment"}));
-  EXPECT_TRUE(
-      test::mentions(refusal(make_hinge, {.law = "bilinear", .values = {{"stiffness", 4e7}, {"yield_moment", -2}}}),
-                     {"yield_moment", "-2"}));
-  EXPECT_TRUE(
-      test::mentions(refusal(make_hinge, {.law = "bilinear", .values = {{"stiffness", 4e7}, {"yield_force", 2}}}),
-                     {"yield_moment", "yield_force"}));
-  EXPECT_TRUE(test::mentions(refusal(make_spring, {.law = "takeda", .values = {}}),
+TEST(MakeSpring, TakesALawOrItsName) {
+  const Loaded spring(
+      make_spring(hysteresis::Bilinear{.initial_stiffness = 4e7, .yield_force = 2e5, .negative_yield_force = 1e5}));
+  EXPECT_EQ(spring.stiffness(), 4e7);
+  EXPECT_NEAR(4e7 * 0.1 + spring.evaluate({0.1, 0}).force, 2e5, 1e-6);
+  EXPECT_NEAR(-4e7 * 0.1 + spring.evaluate({-0.1, 0}).force, -1e5, 1e-6);
+  EXPECT_TRUE(test::mentions(test::refusal([] { make_spring({.law = "takeda", .values = {}}); }),
                              {"takeda", "bilinear", "menegotto_pinto", "bouc_wen"}));
 }
 

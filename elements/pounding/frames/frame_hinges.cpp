@@ -6,6 +6,7 @@
 #include <optional>
 #include <stdexcept>
 #include <utility>
+#include <variant>
 
 #include <fmt/format.h>
 
@@ -47,42 +48,32 @@ HingeForces forces_of(const Frame& frame, int number) {
   return {k, on_ends, beam.at_nodes(on_ends)};
 }
 
-// Parameter of a hinge, or of its law if it has one; nullopt if not given.
-std::optional<double> number_of(const Hinge& hinge, std::string_view name, const std::optional<double>& without_law) {
-  if (!hinge.law) return without_law;
-  const auto found = hinge.law->values.find(name);
-  return found == hinge.law->values.end() ? std::nullopt : std::optional(found->second);
-}
-
-double member_hardening(const Hinge& hinge) { return number_of(hinge, "hardening", hinge.hardening).value_or(0); }
-
-std::optional<double> spring_hardening(const Hinge& hinge) {
-  return number_of(hinge, "spring_hardening", hinge.spring_hardening);
-}
-
 // Ratio of the post-yield stiffness to k.
 double hardening_of(const Frame& frame, const Hinge& hinge, double k) {
-  const double a = member_hardening(hinge), of_member = frame.bending_stiffness(hinge);
-  if (!hinge.is_rigid_plastic()) return spring_hardening(hinge).value_or(a / (1 + k / of_member * (1 - a)));
+  const double a = hinge.hardening, of_member = frame.bending_stiffness(hinge);
+  if (!hinge.is_rigid_plastic()) return hinge.spring_hardening.value_or(a / (1 + k / of_member * (1 - a)));
   const double h = a * of_member / (1 - a);
   return h / (k + h);
 }
 
-// Law of the end moment. Of two yield moments, the first is for sagging and the second for hogging.
-hysteresis::Settings law_of(const Frame& frame, const Hinge& hinge, double k) {
-  hysteresis::Settings law{.law = "bilinear"};
-  if (hinge.law) {
-    law = *hinge.law;
-    if (law.values.erase("hardening") > 0) law.values["spring_hardening"] = hardening_of(frame, hinge, k);
-  } else {
-    law.values = {{"yield_moment", hinge.yield_moment}, {"spring_hardening", hardening_of(frame, hinge, k)}};
-    if (hinge.hogging_moment) law.values["negative_yield_moment"] = *hinge.hogging_moment;
-  }
-  law.values["stiffness"] = k;
-  const auto sagging = law.values.find("yield_moment"), hogging = law.values.find("negative_yield_moment");
-  if (!hinge.sags_positive() && sagging != law.values.end() && hogging != law.values.end())
-    std::swap(sagging->second, hogging->second);
+// Law of the end moment, with post-yield ratio b.
+hysteresis::HingeLaw law_of(const Hinge& hinge, double k, double b) {
+  hysteresis::HingeLaw law = hinge.law;
+  const double hogging = hinge.hogging_moment.value_or(hinge.yield_moment);
+  std::visit(
+      [&]<class L>(L& made) {
+        made.initial_stiffness = k;
+        made.hardening = b;
+        made.yield_force = hinge.sags_positive() ? hinge.yield_moment : hogging;
+        if constexpr (requires { made.negative_yield_force; })
+          made.negative_yield_force = hinge.sags_positive() ? hogging : hinge.yield_moment;
+      },
+      law);
   return law;
+}
+
+std::unique_ptr<Spring> spring_of(const Hinge& hinge, double k, double b) {
+  return std::visit([](const auto& law) { return make_spring(hysteresis::AnyLaw(law)); }, law_of(hinge, k, b));
 }
 
 // Springs of all hinges; joints whose hinges all yield retain a small stiffness.
@@ -92,16 +83,12 @@ std::vector<std::unique_ptr<Spring>> springs_of(const FrameModel& model, const A
   std::vector<std::unique_ptr<Spring>> springs;
   std::vector<bool> keeps_nothing;
   for (std::size_t i = 0; i < hinges.size(); ++i) {
-    springs.push_back(make_hinge(law_of(model.frame, hinges[i], forces[i].k)));
+    springs.push_back(spring_of(hinges[i], forces[i].k, hardening_of(model.frame, hinges[i], forces[i].k)));
     keeps_nothing.push_back(1 + slope_far_behind_yield(*springs.back()) / forces[i].k < min_hardening);
   }
   const std::vector<bool> loose = at_loose_joints(model.frame, assembled, keeps_nothing);
   for (std::size_t i = 0; i < hinges.size(); ++i)
-    if (loose[i]) {
-      hysteresis::Settings law = law_of(model.frame, hinges[i], forces[i].k);
-      law.values["spring_hardening"] = min_hardening;
-      springs[i] = make_hinge(law);
-    }
+    if (loose[i]) springs[i] = spring_of(hinges[i], forces[i].k, min_hardening);
   return springs;
 }
 
@@ -122,46 +109,46 @@ YieldLimits limits_of(const Frame& frame, const Hinge& hinge, double k, const Sp
   const bool is_cut = hinge.member_length > 0 && hinge.member_length != frame.beam(hinge.member).length();
   if (hinge.is_rigid_plastic() && !is_cut) return limits;
   limits.flexibility = 1 / end_stiffness(frame, hinge) - 1 / k;
-  const auto& values = law_of(frame, hinge, k).values;
-  const auto other_way = values.find("negative_yield_moment");
-  limits.positive_force = limits.negative_force = values.at("yield_moment");
-  if (other_way != values.end()) limits.negative_force = other_way->second;
+  limits.positive_force = hinge.yield_moment;
+  limits.negative_force = hinge.hogging_moment.value_or(hinge.yield_moment);
+  if (!hinge.sags_positive()) std::swap(limits.positive_force, limits.negative_force);
   return limits;
 }
 
 std::string word_of(const Hinge& hinge) {
   if (hinge.is_rigid_plastic()) return "hinge";
-  return hinge.law ? hinge.law->law : "bilinear";
+  return std::visit([]<class L>(const L&) { return std::string(L::name); }, hinge.law);
 }
 
-// Stiffness at the end of a member in double curvature, before and after yield at both ends [N m/rad].
-struct EndTangents {
-  double elastic, yielded;
-};
-
-EndTangents end_tangents(const Frame& frame, const Hinge& hinge, double k) {
+YieldingPart::Hinge values_of(const Frame& frame, const Hinge& hinge, double k) {
+  YieldingPart::Hinge values{.is_rigid_plastic = hinge.is_rigid_plastic(),
+                             .sagging = hinge.yield_moment,
+                             .hogging = hinge.hogging_moment.value_or(hinge.yield_moment),
+                             .ultimate_rotation = hinge.ultimate_rotation};
   const double of_member = frame.bending_stiffness(hinge);
-  if (hinge.is_rigid_plastic()) return {of_member, hinge.hardening * of_member};
   const auto in_series = [of_member](double spring) { return of_member * spring / (of_member + spring); };
-  return {in_series(k), in_series(hardening_of(frame, hinge, k) * k)};
+  values.end_stiffness = values.is_rigid_plastic ? of_member : in_series(k);
+  values.end_tangent =
+      values.is_rigid_plastic ? hinge.hardening * of_member : in_series(hardening_of(frame, hinge, k) * k);
+  return values;
 }
 
-std::vector<YieldingPart::Parameter> parameters_of(const Frame& frame, const Hinge& hinge, double k) {
-  const EndTangents at_end = end_tangents(frame, hinge, k);
-  std::vector<YieldingPart::Parameter> all;
-  if (hinge.law) {
-    for (const auto& [name, value] : hinge.law->values)
-      if (name != "hardening" && name != "spring_hardening") all.push_back({name, value});
-  } else {
-    all.push_back({"yield_moment", hinge.yield_moment});
-    if (hinge.hogging_moment) all.push_back({"hogging_moment", *hinge.hogging_moment});
-  }
-  const bool is_given = hinge.is_rigid_plastic() || !spring_hardening(hinge);
-  all.push_back({"hardening", is_given ? member_hardening(hinge) : at_end.yielded / at_end.elastic});
-  if (!hinge.is_rigid_plastic()) all.push_back({"spring_hardening", hardening_of(frame, hinge, k)});
-  all.push_back({hinge.is_rigid_plastic() ? "member_stiffness" : "stiffness", k});
-  all.push_back({"end_stiffness", at_end.elastic});
-  all.push_back({"end_tangent", at_end.yielded});
+std::vector<YieldingPart::Parameter> parameters_of(const Frame& frame, const Hinge& hinge, double k,
+                                                   const YieldingPart::Hinge& values) {
+  std::vector<YieldingPart::Parameter> all{{"yield_moment", hinge.yield_moment}};
+  if (hinge.hogging_moment) all.push_back({"hogging_moment", *hinge.hogging_moment});
+  std::visit(
+      [&all]<class L>(const L& law) {
+        for (const auto& parameter : L::parameters)
+          if (const auto value = parameter.get(law); value && !is_set_by_hinge(parameter))
+            all.push_back({std::string(name_at(hysteresis::Use::hinge, parameter.info)), *value});
+      },
+      hinge.law);
+  all.push_back({"hardening", hinge.spring_hardening ? values.end_tangent / values.end_stiffness : hinge.hardening});
+  if (!values.is_rigid_plastic) all.push_back({"spring_hardening", hardening_of(frame, hinge, k)});
+  all.push_back({values.is_rigid_plastic ? "member_stiffness" : "stiffness", k});
+  all.push_back({"end_stiffness", values.end_stiffness});
+  all.push_back({"end_tangent", values.end_tangent});
   if (hinge.ultimate_rotation) all.push_back({"ultimate_rotation", *hinge.ultimate_rotation});
   return all;
 }
@@ -261,27 +248,20 @@ void add_to_internal_forces(const FrameModel& model, const Frame::Reactions& rea
   s.forces.by_yielding.setFromTriplets(entries.begin(), entries.end());
 }
 
-void require_sound_hardening(const Hinge& hinge, const std::string& where) {
-  const std::optional<double> of_member = number_of(hinge, "hardening", hinge.hardening),
-                              of_spring = spring_hardening(hinge);
-  if (!(of_member.value_or(0) >= 0 && of_member.value_or(0) < 1)) refuse(where + "hardening must be in [0, 1)");
-  if (!(of_spring.value_or(0) >= 0 && of_spring.value_or(0) < 1)) refuse(where + "spring_hardening must be in [0, 1)");
-  if (of_spring && hinge.is_rigid_plastic())
+void require_sound(const Hinge& hinge, const std::string& where) {
+  const double of_member = hinge.hardening, of_spring = hinge.spring_hardening.value_or(0);
+  if (!is_positive(hinge.yield_moment) || !is_positive(hinge.hogging_moment.value_or(1)))
+    refuse(where + "the yield moments must be positive and finite");
+  if (hinge.hogging_moment && !hinge.takes_two_moments())
+    refuse(where + word_of(hinge) + " has the same yield moment in both directions; remove hogging_moment");
+  if (!(of_member >= 0 && of_member < 1)) refuse(where + "hardening must be in [0, 1)");
+  if (!(of_spring >= 0 && of_spring < 1)) refuse(where + "spring_hardening must be in [0, 1)");
+  if (hinge.spring_hardening && hinge.is_rigid_plastic())
     refuse(where +
            "spring_hardening applies only to springs in series; give hardening instead, or add stiffness or "
            "stiffness_factor");
-  if (of_spring && of_member.value_or(0) != 0)
+  if (hinge.spring_hardening && of_member != 0)
     refuse(where + "give either hardening (of the member end) or spring_hardening, not both");
-}
-
-void require_sound(const Hinge& hinge, const std::string& where) {
-  if (!hinge.law) {
-    if (!is_positive(hinge.yield_moment) || !is_positive(hinge.hogging_moment.value_or(1)))
-      refuse(where + "the yield moments must be positive and finite");
-  } else if (hinge.law->values.contains("stiffness")) {
-    refuse(where + "the stiffness of its law is that of the hinge; remove stiffness from the law");
-  }
-  require_sound_hardening(hinge, where);
   if (!is_positive(hinge.ultimate_rotation.value_or(1)))
     refuse(where + "ultimate_rotation must be positive and finite");
   for (const double value : {hinge.stiffness, hinge.stiffness_factor, hinge.member_length})
@@ -289,8 +269,16 @@ void require_sound(const Hinge& hinge, const std::string& where) {
       refuse(where + "stiffness, stiffness_factor and member_length must be finite and not negative");
   if (hinge.stiffness > 0 && hinge.stiffness_factor > 0)
     refuse(where + "give either stiffness or stiffness_factor, not both");
-  if (hinge.law && hinge.is_rigid_plastic())
+  if (hinge.is_rigid_plastic() && !std::holds_alternative<hysteresis::Bilinear>(hinge.law))
     refuse(where + "laws apply only to springs in series; give stiffness or stiffness_factor");
+  std::visit(
+      [&]<class L>(const L& law) {
+        for (const auto& parameter : L::parameters)
+          if (is_set_by_hinge(parameter) && parameter.get(law).value_or(0) != 0)
+            refuse(fmt::format("{}{} of its law is set by the hinge; give it to the hinge, not to the law", where,
+                               name_at(hysteresis::Use::hinge, parameter.info)));
+      },
+      hinge.law);
 }
 
 }  // namespace
@@ -309,9 +297,19 @@ int Frame::add_hinge(const Hinge& hinge) {
       refuse(where + "a hinge is already defined there");
   require_sound(hinge, where);
   try {
-    const double k = hinge.stiffness > 0 ? hinge.stiffness : hinge.stiffness_factor * bending_stiffness(hinge);
-    make_hinge(law_of(*this, hinge, hinge.is_rigid_plastic() ? 1 : k));
-    if (!hinge.is_rigid_plastic()) member.beam.set_end_spring(hinge.place(), k);
+    const bool is_rigid = hinge.is_rigid_plastic();
+    const double k = is_rigid              ? 1  // any, as its law has no further condition
+                     : hinge.stiffness > 0 ? hinge.stiffness
+                                           : hinge.stiffness_factor * bending_stiffness(hinge);
+    std::visit(
+        []<class L>(const L& law) {
+          if constexpr (requires { law.check(hysteresis::Use::hinge); })
+            law.check(hysteresis::Use::hinge);
+          else
+            law.check();
+        },
+        law_of(hinge, k, hardening_of(*this, hinge, k)));
+    if (!is_rigid) member.beam.set_end_spring(hinge.place(), k);
   } catch (const std::invalid_argument& error) {
     refuse(where + error.what());
   }
@@ -349,10 +347,12 @@ void let_hinges_yield(const FrameModel& model, const AssembledFrame& frame, cons
   std::vector<std::unique_ptr<Spring>> springs = springs_of(model, frame, forces);
   for (int i = 0; i < static_cast<int>(hinges.size()); ++i) {
     const double k = forces[i].k;
-    YieldingPart& part =
-        s.yielding.emplace_back(model.frame.hinge_name(i), deformation_row(model.frame, frame, hinges[i], forces[i]),
-                                word_of(hinges[i]), parameters_of(model.frame, hinges[i], k), std::move(springs[i]));
+    const YieldingPart::Hinge values = values_of(model.frame, hinges[i], k);
+    YieldingPart& part = s.yielding.emplace_back(
+        model.frame.hinge_name(i), deformation_row(model.frame, frame, hinges[i], forces[i]), word_of(hinges[i]),
+        parameters_of(model.frame, hinges[i], k, values), std::move(springs[i]));
     part.kind = YieldingPart::Kind::hinge;
+    part.hinge = values;
     part.limits = limits_of(model.frame, hinges[i], k, part.spring());
     part.at_rest = deformation_at_rest(model, hinges[i], part.deformation, k, s);
     require_unyielded_at_rest(part, forces[i]);

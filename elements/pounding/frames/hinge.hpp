@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include <pounding/hysteresis/entry.hpp>
+#include <pounding/hysteresis/all.hpp>
 
 namespace pounding {
 
@@ -23,15 +23,15 @@ enum class BendingAxis { y, z };
 /// increases by h = a 6EI/L/(1 - a) [N m/rad] with the plastic rotation. The stiffness of the frame does not change
 /// (force analogy: Wong & Yang 1999).
 ///
-/// A spring in series with the member, with a stiffness or a stiffness_factor: the moment follows its law, and its
+/// A spring in series with the member, with a stiffness or a stiffness_factor: the moment follows `law`, and its
 /// initial stiffness k makes the member more flexible. The spring retains the fraction b = a/(1 + n (1 - a)) of k, n =
 /// k L/6EI (Ibarra & Krawinkler 2005), or b is given as `spring_hardening`.
 struct Hinge {
   int member = 0;
   MemberEnd at = MemberEnd::start;
   BendingAxis about = BendingAxis::y;
-  double yield_moment = 0;                    ///< > 0, unless there is a law [N m]
-  std::optional<double> hogging_moment{};     ///< > 0; default: yield_moment [N m]
+  double yield_moment = 0;                    ///< > 0 [N m]
+  std::optional<double> hogging_moment{};     ///< > 0, only of a bilinear law; default: yield_moment [N m]
   double hardening = 0;                       ///< a in [0, 1) [-]
   std::optional<double> ultimate_rotation{};  ///< plastic rotation capacity, for reports [rad]
   double stiffness = 0;                       ///< of a spring in series [N m/rad]
@@ -39,13 +39,14 @@ struct Hinge {
   /// L of the whole member if this is a part of a subdivided one; 0: its own length [m].
   double member_length = 0;
   std::optional<double> spring_hardening{};  ///< b in [0, 1) of a spring in series, instead of hardening [-]
-  /// Law of a spring in series instead of a bilinear one, with the parameter names of make_hinge() and without its
-  /// stiffness; with `hardening` or `spring_hardening`. If there is a negative_yield_moment, yield_moment applies to
-  /// sagging.
-  std::optional<hysteresis::Settings> law{};
+  /// Law of a spring in series; a rigid-plastic hinge is bilinear. The hinge sets its stiffness, its yield force and
+  /// its hardening, which must be unset here: `{.yield_moment = 2e5, .law = hysteresis::BoucWen{.exponent = 1}}`.
+  hysteresis::HingeLaw law = hysteresis::Bilinear{};
 
   /// True without a spring in series.
   bool is_rigid_plastic() const { return stiffness == 0 && stiffness_factor == 0; }
+  /// True if sagging and hogging can have different yield moments.
+  bool takes_two_moments() const { return std::holds_alternative<hysteresis::Bilinear>(law); }
   /// Index of its moment among the twelve end forces of a member.
   int place() const { return (at == MemberEnd::start ? 0 : 6) + (about == BendingAxis::y ? 4 : 5); }
   /// True if sagging is a positive moment at this end.

@@ -1,6 +1,6 @@
 #pragma once
 /// Registry of hysteretic laws, read by parser, reports, bindings, documentation and contract test. To add a law, write
-/// its header, add two lines here and generate its page.
+/// its header, add two lines here (three if hinges can have it) and generate its page.
 
 #include <span>
 #include <string_view>
@@ -24,7 +24,18 @@ namespace pounding::hysteresis {
 using AnyLaw = std::variant<Bilinear, MenegottoPinto, BoucWen, PeakOriented, FrictionPendulum, LeadRubber, Elastomeric,
                             Backfill, Restrainer, Uplift, MultilinearElastic>;
 
-/// Their catalogue.
+/// Laws of hinges: those with an initial stiffness, a yield force and a hardening, which the hinge sets.
+using HingeLaw = std::variant<Bilinear, MenegottoPinto, BoucWen, PeakOriented>;
+
+/// True for a parameter that the hinge sets.
+template <class L>
+constexpr bool is_set_by_hinge(const Parameter<L>& p) noexcept {
+  if constexpr (requires { &L::negative_yield_force; })
+    if (p.choice == &L::negative_yield_force) return true;
+  return p.value == &L::initial_stiffness || p.value == &L::yield_force || p.value == &L::hardening;
+}
+
+/// The catalogue of all laws.
 using Laws = laws::Catalogue<Settings, Entry, AnyLaw>;
 
 /// Entries of all laws, in the order of AnyLaw.

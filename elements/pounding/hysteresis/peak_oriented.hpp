@@ -51,16 +51,35 @@ struct PeakOriented {
 
   static constexpr std::array parameters{
       Parameter{{"stiffness", "N/m", "initial stiffness k", 1e7}, &PeakOriented::initial_stiffness},
-      Parameter{{"yield_force", "N", "yield force Fy", 1.5e5}, &PeakOriented::yield_force},
-      Parameter{{"hardening", "", "ratio b of post-yield to initial stiffness", 0.05, Need::optional},
+      Parameter{{.name = "yield_force",
+                 .unit = "N",
+                 .meaning = "yield force Fy",
+                 .typical = 1.5e5,
+                 .at_hinge = "yield_moment"},
+                &PeakOriented::yield_force},
+      Parameter{{.name = "hardening",
+                 .unit = "",
+                 .meaning = "ratio b of post-yield to initial stiffness",
+                 .typical = 0.05,
+                 .need = Need::optional,
+                 .at_hinge = "spring_hardening"},
                 &PeakOriented::hardening},
       Parameter{{"unloading", "", "exponent e of the unloading stiffness", 0.5, Need::optional},
                 &PeakOriented::unloading},
-      Parameter{{"cracking_force", "N", "cracking force Fc, together with yield_deformation", 5e4, Need::extra},
+      Parameter{{.name = "cracking_force",
+                 .unit = "N",
+                 .meaning = "cracking force Fc, given together with the deformation at the yield force",
+                 .typical = 5e4,
+                 .need = Need::extra,
+                 .at_hinge = "cracking_moment"},
                 &PeakOriented::cracking_force},
-      Parameter{
-          {"yield_deformation", "m", "deformation at the yield force, together with cracking_force", 0.03, Need::extra},
-          &PeakOriented::deformation_at_yield}};
+      Parameter{{.name = "yield_deformation",
+                 .unit = "m",
+                 .meaning = "deformation at the yield force, given together with the cracking force",
+                 .typical = 0.03,
+                 .need = Need::extra,
+                 .at_hinge = "yield_rotation"},
+                &PeakOriented::deformation_at_yield}};
 
   /// Current rule: the first line, the backbone beyond it, unloading from a reversal, reloading towards the maximum
   /// deformation.
@@ -82,24 +101,27 @@ struct PeakOriented {
       StateValue<PeakOriented>{{"least", "m", "minimum deformation, negative"},
                                [](const State& kept) { return -kept.maximum[1]; }}};
 
-  void check() const {
+  /// Messages contain the names of parameters in this use.
+  void check(Use use = Use::spring) const {
+    const auto name = [use](std::size_t row) { return std::string(name_at(use, parameters[row].info)); };
+    const std::string yields = name(1), hardens = name(2), cracks = name(4), yields_at = name(5);
     laws::require_positive("stiffness", initial_stiffness);
-    laws::require_positive("yield_force", yield_force);
-    if (!(hardening >= 0 && hardening < 1)) laws::refuse("hardening", hardening, "in [0, 1)");
+    laws::require_positive(yields, yield_force);
+    if (!(hardening >= 0 && hardening < 1)) laws::refuse(hardens, hardening, "in [0, 1)");
     if (!(unloading >= 0 && unloading <= 1)) laws::refuse("unloading", unloading, "in [0, 1]");
     if (cracking_force.has_value() != deformation_at_yield.has_value())
-      throw std::invalid_argument("peak_oriented needs both cracking_force and yield_deformation, or neither");
+      throw std::invalid_argument("peak_oriented needs both " + cracks + " and " + yields_at + ", or neither");
     if (!cracking_force) return;
-    laws::require_positive("cracking_force", cracking_force);
-    laws::require_positive("yield_deformation", deformation_at_yield);
+    laws::require_positive(cracks, cracking_force);
+    laws::require_positive(yields_at, deformation_at_yield);
     if (*cracking_force >= yield_force)
-      laws::refuse("cracking_force", *cracking_force, "below yield_force, " + laws::number_text(yield_force));
+      laws::refuse(cracks, *cracking_force, "below " + yields + ", " + laws::number_text(yield_force));
     const double slope = second_slope();
     if (!(slope < initial_stiffness) || !(slope > 0))
-      laws::refuse("yield_deformation", *deformation_at_yield,
-                   "above yield_force/stiffness, " + laws::number_text(yield_force / initial_stiffness));
+      laws::refuse(yields_at, *deformation_at_yield,
+                   "above " + yields + "/stiffness, " + laws::number_text(yield_force / initial_stiffness));
     if (hardening * initial_stiffness >= slope)
-      laws::refuse("hardening", hardening,
+      laws::refuse(hardens, hardening,
                    "below that of the line before yield, " + laws::number_text(slope / initial_stiffness));
   }
   double stiffness() const noexcept { return initial_stiffness; }

@@ -15,6 +15,14 @@ using laws::Need;
 using laws::Parameter;
 using laws::ParameterInfo;
 
+/// Location of a law: a spring between two points, or a hinge, whose forces are moments and deformations rotations.
+enum class Use : unsigned char { spring, hinge };
+
+/// Name of a parameter in inputs and messages.
+constexpr std::string_view name_at(Use use, const ParameterInfo& info) noexcept {
+  return use == Use::hinge && !info.at_hinge.empty() ? info.at_hinge : info.name;
+}
+
 /// A parameter that takes one of several keywords; the first is the default.
 struct ChoiceInfo {
   std::string_view name, meaning;

@@ -88,7 +88,8 @@ void emit_hinges(YAML::Emitter& out, const std::vector<YieldingPart>& parts) {
     out << YAML::Key << hinge.name << YAML::Value << YAML::Flow << YAML::BeginMap;
     field(out, "law") << hinge.law;
     for (const YieldingPart::Parameter& parameter : hinge.parameters) emit(out, parameter.name, parameter.value);
-    emit(out, "yield_rotation", hinge.yield_deformation());
+    if (std::isnan(hinge.parameter("yield_rotation")))  // most laws have no such parameter
+      emit(out, "yield_rotation", hinge.yield_deformation());
     if (hinge.at_rest != 0) emit(out, "moment_at_rest", hinge.stiffness() * hinge.at_rest);
     out << YAML::EndMap;
   }

@@ -28,6 +28,7 @@ struct ParameterInfo {
   Need need = Need::required;
   std::span<const double> typical_list{};  ///< of a parameter that is a list [SI]; empty for a single value
   bool is_flag = false;                    ///< true or false, as 1 or 0
+  std::string_view at_hinge{};             ///< name at a hinge, where forces are moments; empty: the same
 
   bool is_list() const noexcept { return !typical_list.empty(); }  ///< true for a list of values
 };

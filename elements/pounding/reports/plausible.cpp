@@ -119,7 +119,7 @@ void warn_about_yielding(const Structure& s, std::vector<Warning>& warnings) {
     return {};
   });
   first_warning("rotation", [](const YieldingPart& part) -> std::string {
-    const double ultimate = part.parameter("ultimate_rotation");
+    const double ultimate = part.hinge ? part.hinge->ultimate_rotation.value_or(0) : 0;
     if (!(ultimate > largest_ultimate_rotation)) return {};
     return fmt::format("has an ultimate rotation of {:.4g} rad, above 0.5 rad; a bare rotation is in rad, as in 0.03",
                        ultimate);

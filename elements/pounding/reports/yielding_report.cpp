@@ -47,12 +47,7 @@ std::vector<Column> whole_members(const Structure& s) {
 ColumnEnd end_of(const Structure& s, int member, bool is_start) {
   ColumnEnd end{s.geometry.member_names[member] + (is_start ? " start" : " end"), none, none};
   const auto part = std::ranges::find(s.yielding, end.name, &YieldingPart::name);
-  if (part != s.yielding.end()) {
-    end.sags = part->parameter("yield_moment");
-    const double hogging = part->parameter("hogging_moment"), negative = part->parameter("negative_yield_moment");
-    end.hogs = !std::isnan(hogging) ? hogging : !std::isnan(negative) ? negative : end.sags;
-    return end;
-  }
+  if (part != s.yielding.end() && part->hinge) return {end.name, part->hinge->sagging, part->hinge->hogging};
   const auto& components = s.forces.components;
   const auto place = std::ranges::find(components, is_start ? "start My" : "end My") - components.begin();
   const auto row = static_cast<Eigen::Index>(member * components.size() + place);
@@ -170,13 +165,19 @@ std::vector<YieldingFacts> yielding_facts(const Structure& s) {
     YieldingFacts facts{.name = part.name, .law = part.law, .stiffness = part.stiffness() + part.first_slope()};
     if (facts.stiffness == 0) continue;  // a damper
     facts.is_hinge = part.kind == YieldingPart::Kind::hinge;
-    if (!std::isnan(part.parameter("member_stiffness"))) facts.law = "rigid-plastic";
     facts.deformation = part.yield_deformation();
-    facts.force = part.has_spring() ? part.spring().yield_force() : part.stiffness() * part.yield_deformation();
-    facts.hardening = (part.is_device() ? 0 : 1) + slope_far_behind_yield(part.spring()) / facts.stiffness;
+    if (part.has_spring()) {
+      facts.force = part.spring().yield_force();
+      facts.hardening = (part.is_device() ? 0 : 1) + slope_far_behind_yield(part.spring()) / facts.stiffness;
+    } else {
+      facts.force = part.stiffness() * part.yield_deformation();
+    }
     facts.at_rest = std::abs(part.at_rest) / facts.deformation;
-    facts.end_stiffness = part.parameter("end_stiffness");
-    facts.end_tangent = part.parameter("end_tangent");
+    if (part.hinge) {
+      if (part.hinge->is_rigid_plastic) facts.law = "rigid-plastic";
+      facts.end_stiffness = part.hinge->end_stiffness;
+      facts.end_tangent = part.hinge->end_tangent;
+    }
     if (storeys && !part.is_device()) {
       facts.over_weight = facts.force / (carried * standard_gravity);
       carried -= s.floors[i].mass;

@@ -28,6 +28,14 @@ using Row = Eigen::SparseVector<double>;
 struct YieldingPart {
   /// The stiffness of a device is additional to K; that of the others is contained in K.
   enum class Kind { storey, hinge, isolator, device, support };
+  /// Values of a hinge, for reports. Yield moments are magnitudes.
+  struct Hinge {
+    bool is_rigid_plastic = false;
+    double sagging = 0, hogging = 0;  ///< yield moments [N m]
+    /// Stiffness of the member end in double curvature, before and after yield at both ends [N m/rad].
+    double end_stiffness = 0, end_tangent = 0;
+    std::optional<double> ultimate_rotation{};  ///< plastic rotation capacity [rad]
+  };
   /// A parameter of the law, for reports.
   struct Parameter {
     std::string name;  ///< the input key: "yield_force"
@@ -44,7 +52,8 @@ struct YieldingPart {
   int direction = 0;                       ///< index of the deformation of the element
   YieldLimits limits;                      ///< deformations at first yield
   Kind kind = Kind::storey;
-  std::string device{};  ///< of a device: its components and ends, for reports
+  std::optional<Hinge> hinge{};  ///< of a hinge
+  std::string device{};          ///< of a device: its components and ends, for reports
 
   bool is_device() const noexcept { return kind == Kind::device; }  ///< true for a device
   /// Value of a parameter; NaN if there is none of this name.

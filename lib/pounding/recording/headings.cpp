@@ -39,16 +39,16 @@ StructureHistory heading(const Structure& s) {
 
 SpringHistory spring_heading(const Structure& s) {
   SpringHistory history;
+  constexpr double never = std::numeric_limits<double>::quiet_NaN();
   for (const YieldingPart& part : s.yielding) {
     history.hinges.push_back(part.kind == YieldingPart::Kind::hinge);
-    history.ultimate.push_back(part.parameter("ultimate_rotation"));
+    history.ultimate.push_back(part.hinge ? part.hinge->ultimate_rotation.value_or(never) : never);
     history.names.push_back(part.name);
     history.laws.push_back(part.law);
     history.stiffness.push_back(part.stiffness() + part.first_slope());
     history.limits.push_back(part.limits);
   }
   const std::size_t parts = s.yielding.size();
-  constexpr double never = std::numeric_limits<double>::quiet_NaN();
   history.deformations = history.forces = Extremes(parts);
   history.last.assign(parts, 0.0);
   for (std::vector<double>* values : {&history.lost, &history.plastic, &history.cycles.turn, &history.cycles.swings})

@@ -13,9 +13,10 @@
 
 #include <pounding/core/names.hpp>
 #include <pounding/frames/sections.hpp>
+#include <pounding/hysteresis/all.hpp>
 #include <pounding/input/frames/frame_parts_input.hpp>
+#include <pounding/input/keys/yielding_keys.hpp>
 #include <pounding/input/spring_input.hpp>
-#include <pounding/structures/make_spring.hpp>
 
 namespace pounding {
 namespace {
@@ -50,6 +51,23 @@ std::pair<double, std::optional<double>> read_moments(const Input& node) {
   if (!(hogging < 0))
     items[1].fail("the second moment is the hogging moment and must be negative; type [210 kN m, -260 kN m]");
   return {items[0].as_quantity(dimension::energy, bounds::positive), -hogging};
+}
+
+// The law of this name with the parameters that a hinge does not set.
+hysteresis::HingeLaw read_hinge_law(const Input& node, std::string_view name) {
+  hysteresis::HingeLaw found;
+  keys::EachLaw<hysteresis::HingeLaw>::visit([&]<class L>(L law) {
+    if (L::name != name) return;
+    for (const auto& parameter : L::parameters)
+      if (!is_set_by_hinge(parameter))
+        if (const auto value = node.find(name_at(hysteresis::Use::hinge, parameter.info)))
+          parameter.set(law, value->as_quantity());
+    if constexpr (requires { L::choices; })
+      for (const auto& choice : L::choices)
+        if (const auto word = node.find(choice.info.name)) hysteresis::choose(law, choice.info.name, word->as_choice());
+    found = law;
+  });
+  return found;
 }
 
 class HingeReader {
@@ -159,7 +177,7 @@ class HingeReader {
           found->fail_at_key(fmt::format(
               "belongs to a rigid-plastic hinge, and {0} is also given; write it inside {0}, or leave {0} out",
               law->name));
-      return read_spring(node.at(law->name), *law);
+      return read_spring(node.at(law->name), law->name);
     }
     const auto moments = node.find("yield_moment"), strength = node.find("strength");
     if (moments && strength)
@@ -172,18 +190,13 @@ class HingeReader {
     return hinge;
   }
 
-  Hinge read_spring(const Input& node, const hysteresis::Entry& law) const {
+  Hinge read_spring(const Input& node, std::string_view name) const {
     node.only_keys();
-    Hinge hinge{.law = hysteresis::Settings{.law = std::string(law.name)}};
+    Hinge hinge{.law = read_hinge_law(node, name)};
     const Input moment = node.at("yield_moment");
-    const auto [sagging, hogging] = read_moments(moment);
-    hinge.law->values["yield_moment"] = sagging;
-    if (hogging) {
-      if (std::ranges::find(law.parameters, "negative_yield_force", &hysteresis::ParameterInfo::name) ==
-          law.parameters.end())
-        moment.fail(fmt::format("{} has the same yield moment in both directions; give one", law.name));
-      hinge.law->values["negative_yield_moment"] = *hogging;
-    }
+    std::tie(hinge.yield_moment, hinge.hogging_moment) = read_moments(moment);
+    if (hinge.hogging_moment && !hinge.takes_two_moments())
+      moment.fail(fmt::format("{} has the same yield moment in both directions; give one", name));
     const auto stiffness = node.find("stiffness"), factor = node.find("stiffness_factor");
     if (stiffness && factor) factor->fail_at_key("give stiffness or stiffness_factor, not both");
     if (stiffness)
@@ -194,12 +207,8 @@ class HingeReader {
     if (of_member && of_spring)
       of_spring->fail_at_key(
           "give hardening (ratio of the member end) or spring_hardening (ratio of the spring alone), not both");
-    if (of_member) hinge.law->values["hardening"] = of_member->as_quantity();
-    for (const hysteresis::ParameterInfo& parameter : law.parameters)
-      if (parameter.name != "stiffness" && !parameter.name.ends_with("yield_force"))
-        if (const std::string spec = in_moments(std::string(parameter.name)); const auto value = node.find(spec))
-          hinge.law->values[spec] = value->as_quantity();
-    hinge.law->words = read_choices(node, law);
+    if (of_member) hinge.hardening = of_member->as_quantity();
+    if (of_spring) hinge.spring_hardening = of_spring->as_quantity();
     return hinge;
   }
 

@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -8,7 +7,6 @@
 #include <pounding/hysteresis/all.hpp>
 #include <pounding/input/keys/sections.hpp>
 #include <pounding/input/keys/yielding_keys.hpp>
-#include <pounding/structures/make_spring.hpp>
 
 namespace pounding::keys {
 namespace {
@@ -42,7 +40,11 @@ constexpr Key hinge_hardening_key(
     "with both ends in double curvature. If all ends at a joint yield without hardening, each gets a ratio of 1e-8 to "
     "keep the system regular.",
     "3 %", "0.2.0");
-constexpr std::string_view spring_hardening = "spring_hardening";
+constexpr Key spring_hardening_key(
+    "spring_hardening", number(bounds::from_0_below_1), otherwise("by hardening"),
+    "Hardening ratio of the spring alone, instead of hardening: ratio of its stiffness after yielding to its initial "
+    "stiffness.",
+    "0.05", "0.3.0");
 
 Key rigid(Key spec) {
   spec.otherwise = "from the hysteretic law, if given";
@@ -72,9 +74,9 @@ struct OfHinges : YieldingKeys {
     of_law.push_back({"stiffness_factor", number(bounds::positive), otherwise("10"),
                       "Initial stiffness of the spring as a multiple of 6EI/L of the member.", "10", "0.2.0"});
     of_law.push_back(hinge_of_series(hinge_hardening_key));
+    of_law.push_back(spring_hardening_key);
     for (const auto& parameter : L::parameters)
-      if (const std::string_view name = parameter.info.name; name != "stiffness" && !name.ends_with("yield_force"))
-        of_law.push_back(key_of(parameter, made));
+      if (!is_set_by_hinge(parameter)) of_law.push_back(key_of(parameter, made));
     add_choices(made, of_law);
     const Section& section = add_section(
         {kept(fmt::format("hinge_{}", L::name)), kept(fmt::format("structures.NAME.frame.hinges.NAME.{}", L::name)),
@@ -100,20 +102,13 @@ struct OfHinges : YieldingKeys {
     const auto shown = [&](double value) {
       return kept(fmt::format("{:g}{}{}", value, unit.empty() ? "" : " ", unit));
     };
-    Key spec{kept(in_moments(std::string(info.name))),
+    Key spec{name_at(hysteresis::Use::hinge, info),
              quantity(parse_unit_dimension(unit)),
              info.need == hysteresis::Need::required ? required : optional,
-             kept(in_moments(fmt::format("{}.", capital(info.meaning)))),
+             kept(fmt::format("{}.", capital(info.meaning))),
              shown(info.typical),
              "0.2.0"};
-    if (spec.key == spring_hardening) {
-      spec.bounds = bounds::from_0_below_1;
-      spec.since = "0.3.0";
-      spec.otherwise = "by hardening";
-      spec.meaning =
-          "Hardening ratio of the spring alone, instead of hardening: ratio of its stiffness after yielding to its "
-          "initial stiffness.";
-    } else if (spec.need == Need::optional)
+    if (spec.need == Need::optional)
       spec.otherwise = parameter.value ? shown(made.*parameter.value) : std::string_view("from the other parameters");
     return spec;
   }
@@ -122,12 +117,7 @@ struct OfHinges : YieldingKeys {
 const OfHinges& hinges() {
   static const OfHinges all = [] {
     OfHinges made;
-    EachLaw<hysteresis::AnyLaw>::visit([&made]<class L>(const L& law) {
-      // A law without a yield force has no yield moment.
-      if (std::ranges::any_of(L::parameters,
-                              [](const auto& parameter) { return parameter.info.name == "yield_force"; }))
-        made.add(law);
-    });
+    EachLaw<hysteresis::HingeLaw>::visit([&made](const auto& law) { made.add(law); });
     return made;
   }();
   return all;
