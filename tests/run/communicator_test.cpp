@@ -118,6 +118,26 @@ TEST(TwoHalves, StopByThemselves) {
     EXPECT_EQ(run(model, options).results.status, "done");
 }
 
+// Its collective calls would have no order relative to those of the first run.
+TEST(SeveralProcesses, RefuseASecondRunDuringTheFirst) {
+  int processes = 0, refused = 0, looks = 0;
+  MPI_Comm_size(MPI_COMM_WORLD, &processes);
+  const auto stop = [&] {
+    if (++looks > 1) return false;
+    const Model second = test::model_of(model_of_half(0));
+    try {
+      run(second);
+    } catch (const std::logic_error&) {
+      ++refused;
+    }
+    return false;
+  };
+  const Model first = test::model_of(model_of_half(0));
+  EXPECT_EQ(run(first, {.stop = stop}).results.status, "done");
+  EXPECT_GT(looks, 0);
+  EXPECT_EQ(refused, processes > 1 ? 1 : 0);
+}
+
 TEST(RunOptions, MadeBeforePetscStartsAreRefused) {
   const Model model = test::model_of(model_of_half(0));
   EXPECT_THROW(run(model, {.comm = MPI_COMM_NULL}), std::logic_error);

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include <pounding/petsc/environment.hpp>
+#include <pounding/petsc/library_lock.hpp>
 
 namespace pounding::petsc {
 namespace {
@@ -47,6 +48,7 @@ class DirectSolver {
 }  // namespace
 
 Eigenpairs eigenpairs_of(const Eigen::MatrixXd& symmetric) {
+  const LibraryLock lock;
   const Eigen::Index n = symmetric.rows();
   DirectSolver solver(static_cast<PetscInt>(n));
   solver.with(DS_MAT_A, n, [&](auto&& matrix) { matrix = symmetric; });

@@ -6,6 +6,7 @@
 
 #include <pounding/linear/column_sums.hpp>
 #include <pounding/petsc/environment.hpp>
+#include <pounding/petsc/library_lock.hpp>
 
 namespace pounding::petsc {
 namespace {
@@ -40,6 +41,7 @@ class Dense {
 // C = A B or A^T B.
 void multiply(bool transposed, const Eigen::Ref<const Eigen::MatrixXd>& a, const Eigen::Ref<const Eigen::MatrixXd>& b,
               Eigen::Ref<Eigen::MatrixXd> c) {
+  const LibraryLock lock;
   const Dense of_a(a), of_b(b), of_c(c);
   Mat made = of_c.get();
   check(MatProductCreateWithMat(of_a.get(), of_b.get(), nullptr, made));

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <pounding/core/error.hpp>
+#include <pounding/petsc/library_lock.hpp>
 #include <pounding/petsc/version.hpp>
 
 namespace pounding::petsc {
@@ -84,6 +85,7 @@ std::span<const double> values_of(const Eigen::SparseMatrix<double>& a) {
 }
 
 Handle<Mat> make_matrix(MPI_Comm comm, const Pattern& pattern, std::span<const double> values) {
+  const LibraryLock lock;
   Handle<Mat> matrix;
   check(MatCreate(comm, matrix.out()));
   check(MatSetSizes(matrix, pattern.rows(), pattern.rows(), PETSC_DETERMINE, PETSC_DETERMINE));
@@ -97,6 +99,7 @@ Handle<Mat> make_matrix(MPI_Comm comm, const Pattern& pattern, std::span<const d
 }
 
 Product::Product(Handle<Mat> matrix) : matrix_(std::move(matrix)) {
+  const LibraryLock lock;
   check(MatGetLocalSize(matrix_, &rows_, nullptr));
   for (Handle<Vec>* vec : {&x_, &y_}) {
     const MPI_Comm comm = PetscObjectComm(reinterpret_cast<PetscObject>(matrix_.get()));
@@ -108,12 +111,14 @@ Product::Product(Handle<Mat> matrix) : matrix_(std::move(matrix)) {
 }
 
 void Product::operator()(const double* x, double* y) const {
+  const LibraryLock lock;
   const Placed from(x_, x), to(y_, y);
   check(MatMult(matrix_, x_, y_));
 }
 
 Factor::Factor(MPI_Comm comm, const Pattern& pattern, std::span<const double> values, const std::string& prefix)
     : product_(make_matrix(comm, pattern, values)) {
+  const LibraryLock lock;
   PetscInt size = 0;
   check(MatGetSize(product_.matrix(), &size, nullptr));
   check(KSPCreate(comm, ksp_.out()));
@@ -153,6 +158,7 @@ void Factor::set_up() {
 }
 
 bool Factor::refactor(std::span<const double> values) {
+  const LibraryLock lock;
   const Mat matrix = product_.matrix();
   if (processes(PetscObjectComm(reinterpret_cast<PetscObject>(matrix))) > 1) return false;
   PetscScalar* entries = nullptr;
@@ -205,6 +211,7 @@ PC Factor::preconditioner() const {
 }
 
 bool Factor::solve(const double* b, double* x) const {
+  const LibraryLock lock;
   const Placed from(product_.x_, b), to(product_.y_, x);
   check(KSPSolve(ksp_, product_.x_, product_.y_));
   KSPConvergedReason reason = KSP_CONVERGED_ITERATING;
@@ -213,6 +220,7 @@ bool Factor::solve(const double* b, double* x) const {
 }
 
 bool Factor::solve(const Eigen::MatrixXd& b, Eigen::MatrixXd& x) const {
+  const LibraryLock lock;
   const MPI_Comm comm = PetscObjectComm(reinterpret_cast<PetscObject>(ksp_.get()));
   x.resize(b.rows(), b.cols());
   Handle<Mat> from, to;
@@ -228,6 +236,7 @@ bool Factor::solve(const Eigen::MatrixXd& b, Eigen::MatrixXd& x) const {
 NearSolver::NearSolver(MPI_Comm comm, const Pattern& pattern, std::span<const double> values, const Factor& near,
                        const std::string& prefix)
     : product_(make_matrix(comm, pattern, values)) {
+  const LibraryLock lock;
   check(KSPCreate(comm, ksp_.out()));
   check(KSPSetOptionsPrefix(ksp_, prefix.c_str()));
   check(KSPSetOperators(ksp_, product_.matrix(), product_.matrix()));
@@ -243,6 +252,7 @@ NearSolver::NearSolver(MPI_Comm comm, const Pattern& pattern, std::span<const do
 }
 
 bool NearSolver::solve(const double* b, double* x, bool guess) {
+  const LibraryLock lock;
   check(KSPSetInitialGuessNonzero(ksp_, guess ? PETSC_TRUE : PETSC_FALSE));
   const Placed from(product_.x_, b), to(product_.y_, x);
   check(KSPSolve(ksp_, product_.x_, product_.y_));

@@ -11,6 +11,7 @@
 
 #include <pounding/linear/factor.hpp>
 #include <pounding/linear/mode_count.hpp>
+#include <pounding/petsc/library_lock.hpp>
 #include <pounding/petsc/version.hpp>
 
 namespace pounding::petsc {
@@ -254,6 +255,7 @@ Eigenmodes sparse_modes(const SparseMatrix& mass, const SparseMatrix& stiffness,
   require_mode_count(count, dynamic.size());
   if (count == 0) return {Eigen::VectorXd(0), Eigen::MatrixXd(mass.rows(), 0)};
   const SparseMatrix root = root_of(mass, dynamic);
+  const LibraryLock lock;
   const QuietCholmod quiet;
   // A mode of frequency 0 would dominate the iteration without a shift.
   if (auto modes = modes_by_shift(mass, stiffness, root, count, 0); modes && modes->frequencies[0] > 0)

@@ -8,11 +8,13 @@
 
 #include <pounding/core/error.hpp>
 #include <pounding/linear/factor.hpp>
+#include <pounding/petsc/library_lock.hpp>
 
 namespace pounding::petsc {
 
 #ifdef PETSC_HAVE_MUMPS
 int count_modes_below(const SparseMatrix& shifted, double square, const std::string& prefix) {
+  const LibraryLock lock;
   const Handle<Mat> matrix = make_matrix(PETSC_COMM_SELF, pattern_of(shifted), values_of(shifted));
   check(MatSetOption(matrix, MAT_SPD, PETSC_FALSE));
   check(MatSetOption(matrix, MAT_SYMMETRIC, PETSC_TRUE));

@@ -7,6 +7,7 @@
 
 #include <pounding/linear/damping_matrix.hpp>
 #include <pounding/linear/system_checks.hpp>
+#include <pounding/petsc/library_lock.hpp>
 
 namespace pounding::petsc {
 namespace {
@@ -56,6 +57,7 @@ struct SystemMatrices::Subset {
     }
     b.resize(static_cast<Eigen::Index>(rows.size()));
     x.resize(b.size());
+    const LibraryLock lock;
     int all = static_cast<int>(rows.size());
     MPI_Allreduce(MPI_IN_PLACE, &all, 1, MPI_INT, MPI_SUM, whole.solving_comm_);
     if (all > 0) factor = std::make_unique<Factor>(whole.solving_comm_, pattern, values, whole.prefix_);
@@ -75,6 +77,7 @@ SystemMatrices::~SystemMatrices() = default;
 
 SystemMatrices::SystemMatrices(MPI_Comm comm, const System& system, const std::string& prefix)
     : comm_(comm), solving_comm_(comm), system_(system), prefix_(prefix) {
+  const LibraryLock lock;
   MPI_Comm_rank(comm, &rank_);
   MPI_Comm_size(comm, &processes_);
   const int n = system.size();
@@ -262,6 +265,7 @@ void SystemMatrices::name_singular(const EffectiveMatrix& step) const {
 Eigen::MatrixXd SystemMatrices::spread(Eigen::Ref<const Eigen::MatrixXd> x) const {
   if (processes_ == 1) return x;
   Eigen::MatrixXd all(system_.size(), x.cols());
+  const LibraryLock lock;
   std::vector<int> counts(processes_);
   for (int r = 0; r < processes_; ++r) counts[r] = first_row_[r + 1] - first_row_[r];
   for (Eigen::Index j = 0; j < x.cols(); ++j)
@@ -271,18 +275,23 @@ Eigen::MatrixXd SystemMatrices::spread(Eigen::Ref<const Eigen::MatrixXd> x) cons
 }
 
 bool SystemMatrices::agreed(bool mine) const {
+  if (processes_ == 1) return mine;
+  const LibraryLock lock;
   int all = mine;
-  if (processes_ > 1) MPI_Allreduce(MPI_IN_PLACE, &all, 1, MPI_INT, MPI_MIN, comm_);
+  MPI_Allreduce(MPI_IN_PLACE, &all, 1, MPI_INT, MPI_MIN, comm_);
   return all != 0;
 }
 
 void SystemMatrices::combine(std::span<double> sums) const {
-  if (processes_ > 1)
-    MPI_Allreduce(MPI_IN_PLACE, sums.data(), static_cast<int>(sums.size()), MPI_DOUBLE, MPI_SUM, comm_);
+  if (processes_ == 1) return;
+  const LibraryLock lock;
+  MPI_Allreduce(MPI_IN_PLACE, sums.data(), static_cast<int>(sums.size()), MPI_DOUBLE, MPI_SUM, comm_);
 }
 
 double SystemMatrices::largest(double mine) const {
-  if (processes_ > 1) MPI_Allreduce(MPI_IN_PLACE, &mine, 1, MPI_DOUBLE, MPI_MAX, comm_);
+  if (processes_ == 1) return mine;
+  const LibraryLock lock;
+  MPI_Allreduce(MPI_IN_PLACE, &mine, 1, MPI_DOUBLE, MPI_MAX, comm_);
   return mine;
 }
 

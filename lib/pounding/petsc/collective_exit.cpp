@@ -5,17 +5,21 @@
 #include <thread>
 
 #include <pounding/core/error.hpp>
+#include <pounding/petsc/library_lock.hpp>
 #include <pounding/petsc/ranks.hpp>
 #include <pounding/petsc/version.hpp>
 
 namespace pounding::petsc {
 
 CollectiveExit::CollectiveExit(MPI_Comm comm) {
+  const LibraryLock lock;
   if (Ranks(comm).size() > 1) MPI_Comm_dup(comm, &comm_);
 }
 
 CollectiveExit::~CollectiveExit() {
-  if (comm_ != MPI_COMM_NULL) MPI_Comm_free(&comm_);
+  if (comm_ == MPI_COMM_NULL) return;
+  const LibraryLock lock;
+  MPI_Comm_free(&comm_);
 }
 
 bool CollectiveExit::together(double seconds) const {
@@ -23,9 +27,11 @@ bool CollectiveExit::together(double seconds) const {
   using Clock = std::chrono::steady_clock;
   const Clock::time_point begin = Clock::now();
   MPI_Request all = MPI_REQUEST_NULL;
+  const LibraryLock lock;
   begin_barrier(comm_, &all);
   for (;;) {
     if (is_complete(&all)) return true;
+    const LibraryLock::Released released;
     if (std::chrono::duration<double>(Clock::now() - begin).count() > seconds) return false;
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }

@@ -11,6 +11,7 @@
 
 #include <pounding/core/text.hpp>
 #include <pounding/petsc/launch.hpp>
+#include <pounding/petsc/library_lock.hpp>
 
 namespace pounding::petsc {
 namespace {
@@ -61,6 +62,7 @@ void leave_unread_options_out() {
 }  // namespace
 
 Environment::Environment(const std::vector<std::string>& options) {
+  const LibraryLock lock;
   PetscBool ready = PETSC_FALSE;
   PetscInitialized(&ready);
   if (!ready) {
@@ -74,6 +76,8 @@ Environment::Environment(const std::vector<std::string>& options) {
     pointers.push_back(nullptr);
     int count = static_cast<int>(words.size());
     char** arguments = pointers.data();
+    // Runs may use MPI from several threads, one at a time.
+    if (PETSC_MPI_THREAD_REQUIRED == PETSC_DECIDE) PETSC_MPI_THREAD_REQUIRED = MPI_THREAD_SERIALIZED;
     check(PetscInitialize(&count, &arguments, nullptr, nullptr));
     owns_petsc_ = true;
     // PETSc has copied the options into its table. The program keeps its own signal handlers.
@@ -90,6 +94,7 @@ Environment::Environment(const std::vector<std::string>& options) {
 }
 
 Environment::~Environment() {
+  const LibraryLock lock;
   // The handler stays installed until the end: the program, not PETSc, reports failures there, such as a full standard
   // output.
   if (owns_slepc_) SlepcFinalize();
@@ -100,6 +105,7 @@ Environment::~Environment() {
 }
 
 std::vector<std::string> Environment::unread_options() {
+  const LibraryLock lock;
   PetscInt count = 0;
   char **names = nullptr, **values = nullptr;
   check(PetscOptionsLeftGet(nullptr, &count, &names, &values));
@@ -111,6 +117,7 @@ std::vector<std::string> Environment::unread_options() {
 }
 
 std::vector<std::string> Environment::all_options() {
+  const LibraryLock lock;
   char* text = nullptr;
   check(PetscOptionsGetAll(nullptr, &text));
   const std::string all = text;

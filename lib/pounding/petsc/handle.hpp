@@ -5,6 +5,8 @@
 
 #include <utility>
 
+#include <pounding/petsc/library_lock.hpp>
+
 namespace pounding::petsc {
 
 /// Destroys a PETSc object of type T. Specialised here for types that several modules own, otherwise next to the single
@@ -48,7 +50,9 @@ class Handle {
 
  private:
   void reset() {
-    if (object_) Destroyer<T>::destroy(&object_);
+    if (!object_) return;
+    const LibraryLock lock;
+    Destroyer<T>::destroy(&object_);
     object_ = nullptr;
   }
   T object_ = nullptr;

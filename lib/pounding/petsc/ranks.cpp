@@ -1,12 +1,14 @@
 #include <pounding/petsc/ranks.hpp>
 
 #include <algorithm>
+#include <atomic>
 #include <exception>
 #include <stdexcept>
 
 #include <fmt/format.h>
 
 #include <pounding/core/error.hpp>
+#include <pounding/petsc/library_lock.hpp>
 
 namespace pounding::petsc {
 namespace {
@@ -46,22 +48,28 @@ std::vector<std::byte> failure_of(const std::function<void()>& task) {
   throw std::runtime_error(text);
 }
 
+std::atomic<bool> runs_collectively = false;
+
 }  // namespace
 
 Ranks::Ranks(MPI_Comm comm) : comm_(comm) {
+  const LibraryLock lock;
   MPI_Comm_size(comm, &size_);
   MPI_Comm_rank(comm, &rank_);
 }
 
 bool Ranks::any(bool mine) const {
   if (size_ == 1) return mine;
+  const LibraryLock lock;
   int value = mine;
   MPI_Allreduce(MPI_IN_PLACE, &value, 1, MPI_INT, MPI_MAX, comm_);
   return value != 0;
 }
 
 int Ranks::from_root(int its) const {
-  if (size_ > 1) MPI_Bcast(&its, 1, MPI_INT, 0, comm_);
+  if (size_ == 1) return its;
+  const LibraryLock lock;
+  MPI_Bcast(&its, 1, MPI_INT, 0, comm_);
   return its;
 }
 
@@ -93,6 +101,7 @@ bool Ranks::same(std::string_view mine) const {
 
 std::vector<std::vector<std::byte>> Ranks::gather(const std::vector<std::byte>& mine) const {
   if (size_ == 1) return {mine};
+  const LibraryLock lock;
   std::vector<int> counts(size_), first(size_);
   const int count = static_cast<int>(mine.size());
   MPI_Allgather(&count, 1, MPI_INT, counts.data(), 1, MPI_INT, comm_);
@@ -106,6 +115,17 @@ std::vector<std::vector<std::byte>> Ranks::gather(const std::vector<std::byte>& 
   std::vector<std::vector<std::byte>> parts;
   for (int r = 0; r < size_; ++r) parts.emplace_back(all.begin() + first[r], all.begin() + first[r] + counts[r]);
   return parts;
+}
+
+CollectiveRun::CollectiveRun(const Ranks& ranks) : collective_(ranks.size() > 1) {
+  if (collective_ && runs_collectively.exchange(true))
+    throw std::logic_error(
+        "this process already runs a model together with other processes; runs in several threads need communicators "
+        "of one process, such as PETSC_COMM_SELF");
+}
+
+CollectiveRun::~CollectiveRun() {
+  if (collective_) runs_collectively = false;
 }
 
 }  // namespace pounding::petsc

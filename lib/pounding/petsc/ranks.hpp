@@ -46,4 +46,18 @@ class Ranks {
   int size_ = 1, rank_ = 0;
 };
 
+/// The run of a model on several processes. A process allows one at a time: collective calls of several threads have no
+/// common order, so the processes would deadlock. No effect for a communicator of one process.
+class CollectiveRun {
+ public:
+  /// Not collective. Throws std::logic_error if another one exists in this process.
+  explicit CollectiveRun(const Ranks& ranks);
+  ~CollectiveRun();
+  CollectiveRun(const CollectiveRun&) = delete;
+  CollectiveRun& operator=(const CollectiveRun&) = delete;
+
+ private:
+  bool collective_;
+};
+
 }  // namespace pounding::petsc

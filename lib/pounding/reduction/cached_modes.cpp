@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <atomic>
 #include <filesystem>
 #include <fstream>
 #include <memory>
@@ -140,7 +141,8 @@ void CachedModes::keep(const std::vector<std::byte>& origin, const ReducedGroup&
   Archive archive = archive_of(origin);
   ReducedGroup kept = group;
   archive_group(archive, kept);
-  const std::string temporary = fmt::format("{}.{}{}", path, getpid(), unfinished);
+  static std::atomic<int> writes = 0;  // of all threads
+  const std::string temporary = fmt::format("{}.{}.{}{}", path, getpid(), writes++, unfinished);
   const bool written = write_whole(temporary, archive.bytes());
   std::error_code failed;
   if (written) fs::rename(temporary, path + ending, failed);

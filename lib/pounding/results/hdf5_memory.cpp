@@ -7,6 +7,7 @@
 #include <memory>
 #include <utility>
 
+#include <pounding/petsc/library_lock.hpp>
 #include <pounding/results/checked_file.hpp>
 
 namespace pounding::hdf5 {
@@ -57,6 +58,7 @@ Handle access_to(H5FD_file_image_callbacks_t callbacks, void* memory) {
 }
 
 FileImage made_by(const std::function<void(hid_t file)>& write, bool with_checksum) {
+  const LibraryLock lock;
   const Quiet quiet;
   GrowingMemory memory;
   std::size_t size = checked_block_size;
@@ -80,6 +82,7 @@ FileImage made_by(const std::function<void(hid_t file)>& write, bool with_checks
 }  // namespace
 
 void open_image(const FileImage& image, const std::function<void(hid_t file)>& read) {
+  const LibraryLock lock;
   void* const bytes = const_cast<std::byte*>(image.data());  // HDF5 only reads them
   H5FD_file_image_callbacks_t callbacks{};
   callbacks.image_malloc = [](std::size_t, H5FD_file_image_op_t, void* bytes) { return bytes; };

@@ -4,6 +4,7 @@
 
 #include <stdexcept>
 
+#include <pounding/petsc/library_lock.hpp>
 #include <pounding/results/checked_file.hpp>
 
 namespace pounding::hdf5 {
@@ -48,6 +49,7 @@ FileImage group_image(hid_t file, const std::string& name) {
 
 void open_file(const std::string& path, const std::function<void(hid_t file)>& read) {
   require_whole(path);
+  const LibraryLock lock;
   const Quiet quiet;
   const Handle file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose, "open the file");
   read(file);

@@ -10,6 +10,7 @@
 #include <pounding/core/error.hpp>
 #include <pounding/model/reducible.hpp>
 #include <pounding/petsc/environment.hpp>
+#include <pounding/petsc/library_lock.hpp>
 #include <pounding/run/reduction_errors.hpp>
 
 namespace pounding {
@@ -38,6 +39,7 @@ bool read(const char* name, int minimum, int maximum, int& value) {
 }  // namespace
 
 Reduction reduction_from_options() {
+  const LibraryLock lock;
   Reduction how;
   PetscBool automatic = PETSC_FALSE;
   petsc::check(PetscOptionsGetBool(nullptr, prefix, "-auto", &automatic, nullptr));
@@ -50,6 +52,7 @@ Reduction reduction_from_options() {
 }
 
 std::string mode_cache_folder() {
+  const LibraryLock lock;
   char folder[4096] = "";
   petsc::check(PetscOptionsGetString(nullptr, prefix, "-cache", folder, sizeof folder, nullptr));
   return folder;

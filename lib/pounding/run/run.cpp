@@ -12,6 +12,7 @@
 #include <pounding/core/version.hpp>
 #include <pounding/input/resolved.hpp>
 #include <pounding/petsc/environment.hpp>
+#include <pounding/petsc/library_lock.hpp>
 #include <pounding/petsc/ranks.hpp>
 #include <pounding/recording/recorder.hpp>
 #include <pounding/reduction/reduced_solver.hpp>
@@ -36,6 +37,7 @@ namespace {
 int still_deeper(int deeper) { return deeper + 2 + deeper / 2; }
 
 void fill_statistics(TS ts, const StepView& stepper, SolverStatistics& solver) {
+  const LibraryLock lock;
   PetscInt steps = 0, rejected = 0;
   petsc::check(TSGetStepNumber(ts, &steps));
   petsc::check(TSGetStepRejections(ts, &rejected));
@@ -199,12 +201,14 @@ Outcome run(const Model& model, const RunOptions& options) {
   if (options.comm == MPI_COMM_NULL)
     throw std::logic_error("RunOptions::comm is null; create the options after PETSc is initialized");
   if (!model.is_complete()) throw std::logic_error("this model is not complete; call its complete() first");
-  require_same_model(petsc::Ranks(options.comm), model);
+  const petsc::Ranks ranks(options.comm);
+  const petsc::CollectiveRun collective(ranks);
+  require_same_model(ranks, model);
   ReplacedFile file(options.output);
   const EffectiveSettings settings = effective_settings(model);
   Task task{model, options, settings, {}, heading(model, options, settings)};
   if (!options.output.empty()) {
-    petsc::Ranks(options.comm).on_root([&] { file.require_free(); });
+    ranks.on_root([&] { file.require_free(); });
     task.write = [&](const Results& results) { file.replace(results_image(results)); };
   }
   if (options.resume.empty()) {

@@ -6,6 +6,7 @@
 
 #include <pounding/core/error.hpp>
 #include <pounding/petsc/environment.hpp>
+#include <pounding/petsc/library_lock.hpp>
 #include <pounding/petsc/version.hpp>
 
 namespace pounding {
@@ -32,6 +33,7 @@ RunMonitor::RunMonitor(const RunOptions& options, double duration, const Stopwat
       since_report_(since_start) {}
 
 std::string RunMonitor::solve() {
+  const LibraryLock lock;
   petsc::check(TSSetApplicationContext(ts_, this));
   petsc::check(TSSetPostStep(ts_, after_step));
   try {
@@ -61,6 +63,7 @@ PetscErrorCode RunMonitor::after_step(TS ts) {
   PetscFunctionBegin;
   PetscCall(TSGetApplicationContext(ts, &monitor));
   try {
+    const LibraryLock::Released released;
     monitor->reduction_.step(monitor->recorder_.step());
     monitor->end_at_collapse();
     if (--monitor->steps_to_look_ == 0) monitor->look();
@@ -74,6 +77,7 @@ void RunMonitor::end_at_collapse() {
   const Collapse& collapse = recorder_.collapse();
   if (!collapse.is_requested() || !ranks_.any(collapse.has_come())) return;
   collapse_ = collapse.text(stepper_.time());
+  const LibraryLock lock;
   petsc::check(TSSetConvergedReason(ts_, TS_CONVERGED_USER));
 }
 

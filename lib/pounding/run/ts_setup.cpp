@@ -11,6 +11,7 @@
 #include <pounding/model/cost.hpp>
 #include <pounding/model/ground_plan.hpp>
 #include <pounding/petsc/environment.hpp>
+#include <pounding/petsc/library_lock.hpp>
 #include <pounding/petsc/vectors.hpp>
 #include <pounding/stepping/ts_pounding.hpp>
 
@@ -115,6 +116,7 @@ EffectiveSettings effective_settings(const Model& model) {
                              analysis.duration,
                              first_step(model),
                              analysis.max_steps};
+  const LibraryLock lock;
   double& tolerance = settings.stepper.tolerance;
   read_options([&] {
     PetscInt max_steps = static_cast<PetscInt>(settings.max_steps);
@@ -142,6 +144,7 @@ void refuse_unread_options(bool factors_too) {
 
 TsSetup set_up_ts(const EffectiveSettings& settings, const Eigen::VectorXd& u, const Eigen::VectorXd& v,
                   MPI_Comm comm) {
+  const LibraryLock lock;
   TsSetup setup{{}, make_vector(u, comm), make_vector(v, comm)};
   check(petsc::register_ts_pounding());
   check(TSCreate(comm, setup.ts.out()));

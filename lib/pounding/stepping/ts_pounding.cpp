@@ -12,6 +12,7 @@
 
 #include <pounding/core/error.hpp>
 #include <pounding/petsc/environment.hpp>
+#include <pounding/petsc/library_lock.hpp>
 #include <pounding/petsc/vectors.hpp>
 #include <pounding/petsc/version.hpp>
 #include <pounding/stepping/step_controller.hpp>
@@ -55,6 +56,7 @@ class TsPolicy final : public StepSizePolicy {
   bool fixed() const override { return adapts_by(TSADAPTNONE); }
   Verdict judge(const StepView& stepper, double step) override {
     if (adapts_by(ts_type)) return control_.judge(stepper, step);
+    const LibraryLock lock;
     PetscBool accepted = PETSC_FALSE;
     PetscReal next = step;
     ts_->time_step = step;
@@ -91,7 +93,10 @@ PetscErrorCode advance(TS ts) {
   PetscFunctionBegin;
   Data& data = data_of(ts);
   TsPolicy policy(ts, data.stepper()->view());
-  ts->time_step = data.controller->advance(ts->time_step, ts->max_time, policy);
+  {
+    const LibraryLock::Released released;
+    ts->time_step = data.controller->advance(ts->time_step, ts->max_time, policy);
+  }
   ts->ptime = data.stepper()->view().time();
   const bool last = ts->ptime >= ts->max_time || ts->steps + 1 >= ts->max_steps;
   const bool looked_at = last || ts->numbermonitors > 0 || ts->event || ts->trajectory;
@@ -202,6 +207,7 @@ PetscErrorCode create(TS ts) {
 }  // namespace
 
 PetscErrorCode register_ts_pounding() {
+  const LibraryLock lock;
   PetscFunctionBegin;
   PetscCall(TSRegister(ts_type, create));
   PetscCall(TSAdaptRegister(ts_type, create_adapt));
@@ -209,6 +215,7 @@ PetscErrorCode register_ts_pounding() {
 }
 
 PetscErrorCode set_stepper(TS ts, Stepper* stepper) {
+  const LibraryLock lock;
   PetscFunctionBegin;
   Data& data = data_of(ts);
   data.controller.reset();
@@ -217,18 +224,21 @@ PetscErrorCode set_stepper(TS ts, Stepper* stepper) {
 }
 
 PetscErrorCode set_rollback(TS ts, PetscBool keep) {
+  const LibraryLock lock;
   PetscFunctionBegin;
   data_of(ts).keeps_step = keep == PETSC_TRUE;
   PetscFunctionReturn(POUNDING_PETSC_SUCCESS);
 }
 
 PetscErrorCode set_lazy_vectors(TS ts, PetscBool lazy) {
+  const LibraryLock lock;
   PetscFunctionBegin;
   data_of(ts).lazy = lazy == PETSC_TRUE;
   PetscFunctionReturn(POUNDING_PETSC_SUCCESS);
 }
 
 PetscErrorCode archive(TS ts, Archive& state) {
+  const LibraryLock lock;
   PetscFunctionBegin;
   PetscBool plain = PETSC_FALSE;
   PetscCall(PetscObjectTypeCompareAny(reinterpret_cast<PetscObject>(ts->adapt), &plain, ts_type, TSADAPTBASIC,
