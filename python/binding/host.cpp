@@ -11,6 +11,7 @@
 #include <memory>
 #include <mutex>
 #include <set>
+#include <shared_mutex>
 #include <stdexcept>
 #include <string_view>
 
@@ -22,6 +23,7 @@
 #include <pounding/petsc/collective_exit.hpp>
 #include <pounding/petsc/environment.hpp>
 #include <pounding/petsc/launch.hpp>
+#include <pounding/petsc/library_lock.hpp>
 #include <pounding/petsc/ranks.hpp>
 
 namespace py = pybind11;
@@ -29,7 +31,7 @@ namespace py = pybind11;
 namespace pounding::python {
 namespace {
 
-std::timed_mutex petsc_in_use;
+std::shared_timed_mutex petsc_in_use;
 thread_local bool petsc_is_mine = false;
 
 bool mpi_runs() {
@@ -89,6 +91,7 @@ class SavedSignals {
 }  // namespace
 
 void start_petsc() {
+  const LibraryLock lock;
   if (others_wait) throw SolverError("an earlier run failed in this process alone, and the others still wait in it");
   if (session) return;
   if (ended) throw SolverError("PETSc has ended in this process; start another one");
@@ -120,23 +123,23 @@ void run_alone() {
 
 void leave_the_others() { others_wait = true; }
 
-PetscForThisThread::PetscForThisThread() {
+PetscForThisThread::PetscForThisThread(PetscUse use)
+    : alone_(use == PetscUse::alone || petsc::launch().value_or(petsc::Launch{}).size > 1) {
   if (petsc_is_mine)
     throw std::runtime_error(
-        "a run reports its progress to this function, and models run one after another: call check, modes and run when "
-        "it has ended");
-  while (!petsc_in_use.try_lock_for(std::chrono::milliseconds(50))) {
+        "a run reports its progress to this function, and its thread can start no other run: call check, modes and run "
+        "when it has ended");
+  constexpr std::chrono::milliseconds patience(50);
+  while (!(alone_ ? petsc_in_use.try_lock_for(patience) : petsc_in_use.try_lock_shared_for(patience))) {
     const py::gil_scoped_acquire hold;
     if (PyErr_CheckSignals() != 0) throw py::error_already_set();
   }
   petsc_is_mine = true;
 }
 
-bool PetscForThisThread::holds() { return petsc_is_mine; }
-
 PetscForThisThread::~PetscForThisThread() {
   petsc_is_mine = false;
-  petsc_in_use.unlock();
+  alone_ ? petsc_in_use.unlock() : petsc_in_use.unlock_shared();
 }
 
 OptionsOfRun::OptionsOfRun(const std::vector<std::string>& words) {
@@ -149,6 +152,7 @@ OptionsOfRun::OptionsOfRun(const std::vector<std::string>& words) {
     else
       throw InputError(fmt::format("unknown option \"{}\"; PETSc's options for the run start with -pounding_", word));
   }
+  const LibraryLock lock;
   for (const auto& [name, value] : options) {
     petsc::check(PetscOptionsSetValue(nullptr, name.c_str(), value.empty() ? nullptr : value.c_str()));
     names_.push_back(name);
@@ -156,6 +160,7 @@ OptionsOfRun::OptionsOfRun(const std::vector<std::string>& words) {
 }
 
 OptionsOfRun::~OptionsOfRun() {
+  const LibraryLock lock;
   for (const std::string& name : names_) PetscOptionsClearValue(nullptr, name.c_str());
 }
 

@@ -23,18 +23,22 @@ void run_alone();
 /// others.
 void leave_the_others();
 
-/// Lock of PETSc for this thread, taken without the GIL. A process has one PETSc with one options database, so only one
-/// thread may use it at a time.
+/// Use of PETSc, whose options apply to the whole process. Runs without options of their own share it and proceed in
+/// parallel; a run with options uses it alone.
+enum class PetscUse { shared, alone };
+
+/// Permission of this thread to use PETSc, taken without the GIL. Under mpirun every use is PetscUse::alone.
 class PetscForThisThread {
  public:
   /// Waits for other threads; an exception of a signal handler (Ctrl-C) ends the wait. Throws std::runtime_error if
-  /// this thread already has the lock.
-  PetscForThisThread();
+  /// this thread already has the permission.
+  explicit PetscForThisThread(PetscUse use = PetscUse::shared);
   ~PetscForThisThread();
-  /// True if this thread has the lock.
-  static bool holds();
   PetscForThisThread(const PetscForThisThread&) = delete;
   PetscForThisThread& operator=(const PetscForThisThread&) = delete;
+
+ private:
+  bool alone_;
 };
 
 /// PETSc options of one run, from command-line arguments; removed by the destructor.

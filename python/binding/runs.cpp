@@ -159,9 +159,6 @@ struct RunOutcome {
     FileImage made;
     if (results) {
       const py::gil_scoped_release free;
-      // HDF5 allows one thread at a time; a progress callback of another run already has the lock.
-      std::optional<PetscForThisThread> mine;
-      if (!PetscForThisThread::holds()) mine.emplace();
       made = results_image(*results);
     }
     const std::span<const std::byte> whole = results ? std::span<const std::byte>(made) : bytes;
@@ -190,25 +187,28 @@ RunOptions run_options(const std::string& output, const std::string& command, Li
 /// Runs the model from `read_input`, which also activates the PETSc options of the run.
 RunOutcome run_read(
     const std::string& name, const std::string& output, std::vector<std::string> words, const std::string& command,
-    const std::string& resumed, const py::object& progress,
+    const std::string& resumed, const py::object& progress, PetscUse use,
     const std::function<Input(std::vector<std::string>& words, std::optional<OptionsOfRun>& given)>& read_input) {
   Listener listener{progress};
-  Ran ran = with_petsc([&] {
-    const petsc::Ranks ranks(PETSC_COMM_WORLD);
-    std::optional<OptionsOfRun> given;
-    std::optional<Model> model;
-    ranks.on_each([&] { model.emplace(read(read_input(words, given))); });
-    require_one_run(ranks, *model, words, name);
-    RunOptions options = run_options(output, command, listener);
-    options.resume = resumed;
-    return run_together(*model, options, listener);
-  });
+  Ran ran = with_petsc(
+      [&] {
+        const petsc::Ranks ranks(PETSC_COMM_WORLD);
+        std::optional<OptionsOfRun> given;
+        std::optional<Model> model;
+        ranks.on_each([&] { model.emplace(read(read_input(words, given))); });
+        require_one_run(ranks, *model, words, name);
+        RunOptions options = run_options(output, command, listener);
+        options.resume = resumed;
+        return run_together(*model, options, listener);
+      },
+      use);
   return for_python(std::move(ran), listener);
 }
 
 RunOutcome run_source(const Source& source, const std::string& output, const std::vector<std::string>& options,
                       const std::string& command, const py::object& progress) {
-  return run_read(source.name, output, options, command, "", progress, [&](auto& words, auto& given) {
+  const PetscUse use = options.empty() ? PetscUse::shared : PetscUse::alone;
+  return run_read(source.name, output, options, command, "", progress, use, [&](auto& words, auto& given) {
     given.emplace(words);
     return source.input();
   });
@@ -216,7 +216,7 @@ RunOutcome run_source(const Source& source, const std::string& output, const std
 
 RunOutcome resume(const std::string& file, const std::string& output, const std::vector<std::string>& options,
                   const std::string& command, const py::object& progress) {
-  return run_read(file, output.empty() ? file : output, options, command, file, progress,
+  return run_read(file, output.empty() ? file : output, options, command, file, progress, PetscUse::alone,
                   [&](auto& words, auto& given) {
                     const InterruptedRun earlier = read_interrupted_run(file);
                     add_earlier_options(earlier, words);

@@ -30,9 +30,9 @@ inline Model read(const Source& source) { return read(source.input()); }
 
 /// Runs `task` without holding the interpreter, with PETSc started.
 template <class Task>
-auto with_petsc(Task&& task) {
+auto with_petsc(Task&& task, PetscUse use = PetscUse::shared) {
   const pybind11::gil_scoped_release free;
-  const PetscForThisThread mine;
+  const PetscForThisThread mine(use);
   start_petsc();
   return task();
 }

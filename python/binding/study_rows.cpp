@@ -223,7 +223,6 @@ class RowModel {
       const py::gil_scoped_release free;
       const PetscForThisThread mine;
       start_petsc();
-      const OptionsOfRun given{{}};
       const Model& model = made_ready(motion);
       RunOptions options{.numbers_only = true};
       options.stop = [&](std::span<const ContactMemory>) {

@@ -36,8 +36,8 @@ def run(
     Histories become arrays on first access, and no file is used unless `output` names a results file, which is updated
     during the run. `tolerance` [-] overrides that of the model. `options` are those of PETSc without the prefix
     -pounding_: {"ts_max_steps": 100}; True is an option without a value. Terminals and notebooks show progress unless
-    `progress` is False; a function is called with time [s], duration [s] and number of impacts. The GIL is released;
-    models run one after another.
+    `progress` is False; a function is called with time [s], duration [s] and number of impacts. The GIL is
+    released, and models of several threads run in parallel; a run with `options` waits for the others.
 
     Raises InputError for a wrong model, SolverError for a failed run and Interrupted for Ctrl-C; the last two contain
     partial results, which are also in `output`. Warns of energies that do not close (AccuracyWarning) and of

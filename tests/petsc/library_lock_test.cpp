@@ -15,10 +15,11 @@ namespace library_lock_test {
 // Takes and releases the lock in another thread.
 class OtherThread {
  public:
-  OtherThread() : taken_(promise_.get_future()), thread_([this] {
-    const LibraryLock lock;
-    promise_.set_value();
-  }) {}
+  OtherThread()
+      : taken_(promise_.get_future()), thread_([this] {
+          const LibraryLock lock;
+          promise_.set_value();
+        }) {}
   // True if it gets the lock within some time.
   bool gets_it() { return taken_.wait_for(std::chrono::milliseconds(200)) == std::future_status::ready; }
 

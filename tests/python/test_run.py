@@ -14,6 +14,7 @@ import threading
 import time
 import unittest
 import warnings
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from unittest import mock
 
@@ -352,7 +353,7 @@ class Stopping(RunTest):
 
         def run():
             with contextlib.suppress(RuntimeError):
-                pounding.run(long_model(), progress=progress)
+                pounding.run(long_model(), progress=progress, options={"ts_pounding_base": "modal"})
 
         other = threading.Thread(target=run)
         other.start()
@@ -450,6 +451,34 @@ class Threads(RunTest):
         for thread in threads:
             thread.join()
         self.assertEqual(found, {i: alone if i % 2 else rough for i in range(6)})
+
+    def test_runs_of_several_threads_proceed_in_parallel(self):
+        alone = pounding.run(two_oscillators(), progress=False)
+        with ThreadPoolExecutor(8) as pool:
+
+            def run_others(*_):
+                if not others:
+                    # They end while this run is between two steps.
+                    runs = [pool.submit(pounding.run, two_oscillators(), progress=False) for _ in range(7)]
+                    others.extend(run.result(timeout=60) for run in runs)
+
+            others = []
+            self.assertEqual(pounding.run(long_model(20.0), progress=run_others).status, "done")
+        self.assertEqual(len(others), 7)
+        summary = without_times(alone.summary)
+        for other in others:
+            self.assertEqual(without_times(other.summary), summary)
+            np.testing.assert_array_equal(other.links["left-right"].force, alone.links["left-right"].force)
+
+    def test_options_apply_to_one_run_only(self):
+        options = {"ts_rtol": 1e-3}
+        alone = without_times(pounding.run(two_oscillators()).summary)
+        rough = without_times(pounding.run(two_oscillators(), options=options).summary)
+        self.assertNotEqual(alone["links"], rough["links"])
+        with ThreadPoolExecutor(8) as pool:
+            runs = [pool.submit(pounding.run, two_oscillators(), options=options if i % 2 else {}) for i in range(8)]
+            found = [without_times(run.result(timeout=60).summary) for run in runs]
+        self.assertEqual(found, [rough if i % 2 else alone for i in range(8)])
 
 
 class Pictures(RunTest):
