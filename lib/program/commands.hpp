@@ -52,7 +52,7 @@ CLI::Option* is_report(CLI::Option* option);
 /// Writes the report of a results file, .pdf or .html. Throws as `draw`.
 void write_report(const std::string& results, const std::string& report);
 
-/// Draws a JSON object by python/pounding/MODULE.py: "mode_shapes", "pushover_curve" or "spectra". Throws as `draw`.
+/// Draws a JSON object by python/pounding/MODULE.py: "_mode_shapes", "_pushover_curve" or "_spectra". Throws as `draw`.
 void draw_json(const char* module, const std::string& json, const std::string& picture, const std::string& title = {});
 
 }  // namespace pounding::program

@@ -37,7 +37,7 @@ void add_modes(CLI::App& app) {
     const std::string picture = arguments->picture.empty()
                                     ? std::filesystem::path(arguments->model).stem().string() + "_modes.png"
                                     : arguments->picture;
-    draw_json("mode_shapes", modes_json(model, arguments->count, petsc::lowest_modes, true), picture, model.title);
+    draw_json("_mode_shapes", modes_json(model, arguments->count, petsc::lowest_modes, true), picture, model.title);
     if (!arguments->json) std::printf("picture      %s\n", picture.c_str());
   });
 }

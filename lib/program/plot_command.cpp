@@ -11,7 +11,7 @@
 namespace pounding::program {
 
 void draw(const std::string& results, const std::string& picture, const std::string& kind) {
-  run_python({.module = "plots", .product = "picture"}, {"-o", picture, "--picture=" + kind}, {results});
+  run_python({.module = "_plots", .product = "picture"}, {"-o", picture, "--picture=" + kind}, {results});
 }
 
 void draw_json(const char* module, const std::string& json, const std::string& picture, const std::string& title) {
@@ -52,7 +52,7 @@ void add_plot(CLI::App& app) {
     if (options->kind != "run") arguments.push_back("--picture=" + options->kind);
     if (options->compare) arguments.push_back("--compare");
     if (!options->floors.empty()) arguments.push_back("--floors=" + options->floors);
-    run_python({.module = "plots", .product = "picture", .prints = true}, arguments, {options->results});
+    run_python({.module = "_plots", .product = "picture", .prints = true}, arguments, {options->results});
   });
 }
 

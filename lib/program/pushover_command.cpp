@@ -43,7 +43,7 @@ void push_over(const PushoverArguments& given) {
     if (picture.empty() && !given.output.empty())
       picture = std::filesystem::path(given.output).replace_extension(".png").string();
     if (picture.empty()) picture = std::filesystem::path(given.model).stem().string() + of + "_pushover.png";
-    draw_json("pushover_curve", pushover_json(found), picture, model.title);
+    draw_json("_pushover_curve", pushover_json(found), picture, model.title);
     if (!given.json) std::printf("picture       %s\n", picture.c_str());
   }
   if (!found.path.collapse.empty())

@@ -19,7 +19,7 @@ void add_python_command(CLI::App& app, const std::string& name, const std::strin
   command->callback([command, name] {
     std::vector<std::string> arguments{name};
     for (const std::string& argument : command->remaining()) arguments.push_back(argument);
-    become_python("studies.command", arguments);
+    become_python("_studies.command", arguments);
   });
 }
 
@@ -90,7 +90,7 @@ void add_view(CLI::App& app) {
       if (!value->empty()) arguments.push_back(name + *value);
     arguments.insert(arguments.end(), {"--", options->file});
     // Models need the compiled part of the package.
-    become_python("view_command", arguments);
+    become_python("_view_command", arguments);
   });
 }
 
@@ -106,7 +106,7 @@ void add_export(CLI::App& app) {
   command->callback([options] {
     std::vector<std::string> arguments;
     if (!options->output.empty()) arguments = {"-o", options->output};
-    run_python({.module = "export", .product = "export", .prints = true}, arguments, {options->results});
+    run_python({.module = "_export", .product = "export", .prints = true}, arguments, {options->results});
   });
 }
 

@@ -11,7 +11,7 @@ void name_packaged_records();
 
 /// One task for Python.
 struct PythonTask {
-  std::string module;           ///< module of the package pounding, such as "plots"
+  std::string module;           ///< module of the package pounding, such as "_plots"
   std::string product;          ///< for messages: "no picture: ..."
   bool shows_progress = false;  ///< the module accepts --progress-to; used if standard error is a terminal
   bool prints = false;          ///< forward the standard output of the module; otherwise it is discarded

@@ -75,7 +75,7 @@ CLI::Option* is_report(CLI::Option* option) {
 
 void write_report(const std::string& results, const std::string& report) {
   const TemporaryFile spectra(spectra_json("Ground motion", report_damping, ground_spectra(results)));
-  run_python({.module = "report", .product = "report"}, {"-o", report, "--spectra=" + spectra.name()}, {results});
+  run_python({.module = "_report", .product = "report"}, {"-o", report, "--spectra=" + spectra.name()}, {results});
 }
 
 void add_report(CLI::App& app) {
@@ -93,7 +93,7 @@ void add_report(CLI::App& app) {
     if (report.empty()) report = std::filesystem::path(options->results).filename().replace_extension(".pdf").string();
     ReplacedFile(report, run_report_files).require_free();
     // Suites need the compiled part of the package.
-    if (is_study_table(options->results)) become_python("report", {"-o", report, "--", options->results});
+    if (is_study_table(options->results)) become_python("_report", {"-o", report, "--", options->results});
     write_report(options->results, report);
     fmt::print("report       {}\n", report);
   });

@@ -113,7 +113,7 @@ std::vector<Item> compute_and_draw(const std::vector<const ItemMaker*>& makers, 
   }
   write(data, to_json(items, seconds), report_files);
   show("drawing ");
-  run_python({.module = "reproduce", .product = "report"}, {"-o", report.string()}, {data.string()});
+  run_python({.module = "_reproduce", .product = "report"}, {"-o", report.string()}, {data.string()});
   return items;
 }
 

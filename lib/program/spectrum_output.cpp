@@ -126,7 +126,7 @@ void show_spectra(const SpectrumArguments& arguments, const std::string& title,
                   const std::vector<NamedSpectrum>& spectra) {
   if (!arguments.csv.empty()) write_spectra(spectra, arguments.csv);
   if (!arguments.picture.empty())
-    draw_json("spectra", spectra_json(title, arguments.read_damping(), spectra), arguments.picture);
+    draw_json("_spectra", spectra_json(title, arguments.read_damping(), spectra), arguments.picture);
   if (arguments.csv.empty() && arguments.picture.empty()) print_spectra(title, spectra);
 }
 

@@ -9,8 +9,8 @@ import re
 import sys
 from pathlib import Path
 
-from pounding.codes import BRIDGES, rules
-from pounding.codes.screening import ASCE_41, COLE, FEMA_P154, NZSEE, SEISMICITIES
+from pounding._codes import BRIDGES, rules
+from pounding._codes.screening import ASCE_41, COLE, FEMA_P154, NZSEE, SEISMICITIES
 
 PAGE = Path(__file__).parent / "guide/codes.md"
 COMBINATIONS = {"srss": "SRSS", "sum": "sum", "": "no displacement"}

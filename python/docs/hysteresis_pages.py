@@ -105,7 +105,7 @@ def draw(program, law, path):
     matplotlib.use("Agg")
     import matplotlib.pyplot as plt
     from PIL import Image  # comes with matplotlib
-    from pounding.pictures.style import STYLE
+    from pounding._pictures.style import STYLE
 
     first = [f"{FIRST * part / 60:.6g}" for part in range(61)][1:-1]
     rows = program.loop(law, ", ".join(first)) + program.loop(law, points=60)

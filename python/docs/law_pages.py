@@ -245,7 +245,7 @@ def draw(program, law, path):
     matplotlib.use("Agg")
     import matplotlib.pyplot as plt
     from PIL import Image  # comes with matplotlib
-    from pounding.pictures.style import STYLE
+    from pounding._pictures.style import STYLE
 
     names = [f["name"] for f in law["formulas"]] or [""]
     colours = ["black", *plt.colormaps["tab10"].colors, "0.6"]

@@ -21,7 +21,7 @@ import sys
 
 # With `python3 -m pounding...`, the package is imported before the name of the script is known.
 if getattr(sys, "argv", [])[:1] == ["-m"]:
-    from pounding.working_folder import leave_working_folder_out
+    from pounding._working_folder import leave_working_folder_out
 
     leave_working_folder_out()
 
@@ -36,22 +36,23 @@ if TYPE_CHECKING:
     from pounding import opensees as opensees
     from pounding import plan as plan
     from pounding import results as results
+    from pounding._contact_state import ContactState
     from pounding._modes import Mode, Modes
+    from pounding._opensees.from_model import from_opensees
     from pounding._pushover import pushover
+    from pounding._pushover_curve import Pushover, PushoverEvent, read_pushover
+    from pounding._records import record
+    from pounding._running import resume, run
+    from pounding._runs import Run, read
+    from pounding._screening import screen
+    from pounding._spectra import Spectrum, record_spectrum
+    from pounding._studies.separation import separation
+    from pounding._studies.study import Study, study, sweep
+    from pounding._studies.suite import Suite, suite
+    from pounding._yielding import Loop, YieldingLaw, hysteresis
     from pounding.contact import FreeImpact, Law, Response, calibrate, laws
-    from pounding.contact_state import ContactState
     from pounding.errors import AccuracyWarning, ImplausibleWarning, InputError, Interrupted, SolverError
     from pounding.models import Model, check, modes
-    from pounding.opensees.from_model import from_opensees
-    from pounding.pushover_curve import Pushover, read_pushover
-    from pounding.records import record
-    from pounding.running import resume, run
-    from pounding.runs import Run, read
-    from pounding.screening import screen
-    from pounding.spectra import Spectrum, record_spectrum
-    from pounding.studies.separation import separation
-    from pounding.studies.study import Study, study, sweep
-    from pounding.yielding import Loop, YieldingLaw, hysteresis
 
     __version__: str
 
@@ -68,6 +69,7 @@ __all__ = [
     "Model",
     "Modes",
     "Pushover",
+    "PushoverEvent",
     "Response",
     "Run",
     "SolverError",
@@ -96,26 +98,26 @@ __all__ = [
 ]
 
 #: Public modules: `pounding.opensees.link`.
-_PUBLIC_MODULES = ("animation", "contact", "models", "opensees", "plan", "results")
+_PUBLIC_MODULES = ("animation", "contact", "errors", "models", "opensees", "plan", "results", "studies", "view")
 #: The module of every other public name.
 _MODULES = {
     "_modes": ("Mode", "Modes"),
     "_pushover": ("pushover",),
     "contact": ("FreeImpact", "Law", "Response", "calibrate", "laws"),
-    "contact_state": ("ContactState",),
+    "_contact_state": ("ContactState",),
     "errors": ("AccuracyWarning", "ImplausibleWarning", "InputError", "Interrupted", "SolverError"),
     "models": ("Model", "check", "modes"),
-    "opensees.from_model": ("from_opensees",),
-    "pushover_curve": ("Pushover", "read_pushover"),
-    "records": ("record",),
-    "running": ("resume", "run"),
-    "runs": ("Run", "read"),
-    "screening": ("screen",),
-    "spectra": ("Spectrum", "record_spectrum"),
-    "studies.separation": ("separation",),
-    "studies.study": ("Study", "study", "sweep"),
-    "studies.suite": ("Suite", "suite"),
-    "yielding": ("Loop", "YieldingLaw", "hysteresis"),
+    "_opensees.from_model": ("from_opensees",),
+    "_pushover_curve": ("Pushover", "PushoverEvent", "read_pushover"),
+    "_records": ("record",),
+    "_running": ("resume", "run"),
+    "_runs": ("Run", "read"),
+    "_screening": ("screen",),
+    "_spectra": ("Spectrum", "record_spectrum"),
+    "_studies.separation": ("separation",),
+    "_studies.study": ("Study", "study", "sweep"),
+    "_studies.suite": ("Suite", "suite"),
+    "_yielding": ("Loop", "YieldingLaw", "hysteresis"),
 }
 _HOMES = {name: module for module, names in _MODULES.items() for name in names}
 

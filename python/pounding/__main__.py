@@ -9,12 +9,12 @@ import os
 import sys
 from pathlib import Path
 
-from pounding.ended import exit_code
-from pounding.working_folder import leave_working_folder_out
+from pounding._ended import exit_code
+from pounding._working_folder import leave_working_folder_out
 
 #: The program in the wheel and in the build tree.
 PROGRAM = Path(__file__).parent / "bin/pounding"
-MODULES = {"plot": "plots", "animate": "animation", "view": "view_command", "export": "export"}
+MODULES = {"plot": "_plots", "animate": "animation", "view": "_view_command", "export": "_export"}
 #: Commands that run in this process, also as a worker of mpi4py.futures.
 STUDIES = ("study", "suite", "separation", "screen")
 
@@ -26,9 +26,9 @@ def main(arguments: list[str] | None = None) -> int:
     leave_working_folder_out()
     arguments = sys.argv[1:] if arguments is None else arguments
     if arguments and arguments[0] in STUDIES:
-        return int(importlib.import_module("pounding.studies.command").main(arguments))
+        return int(importlib.import_module("pounding._studies.command").main(arguments))
     if arguments and arguments[0] in ("demo", "lessons"):
-        from pounding import demo
+        from pounding import _demo as demo
         from pounding.errors import InputError
 
         try:

@@ -9,9 +9,9 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from pounding import printing
+from pounding import _printing as printing
 from pounding._native import core
-from pounding.pictures.html import table
+from pounding._pictures.html import table
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -70,7 +70,7 @@ class Modes(printing.ReportLines, Mapping[str, list[Mode]], lines=printing.modes
 
     def plot(self, title: str | None = None) -> Figure:
         """A picture of the first shapes of every structure. Raises InputError if all structures are walls."""
-        from pounding.mode_shapes import DrawnMode, DrawnStructure, plot_modes
+        from pounding._mode_shapes import DrawnMode, DrawnStructure, plot_modes
 
         structures = [
             DrawnStructure(name, [DrawnMode(one.period, one.damping_ratio, one.shape) for one in self[name]], **drawn)

@@ -8,12 +8,12 @@ from collections.abc import Sequence
 from os import PathLike, fspath
 from pathlib import Path
 
-from pounding import arguments
+from pounding import _arguments as arguments
+from pounding._arguments import optional, quantity, takes, text
 from pounding._native import core
-from pounding.arguments import optional, quantity, takes, text
+from pounding._pushover_curve import Pushover
 from pounding.errors import InputError, SolverError
 from pounding.models import Model, as_model
-from pounding.pushover_curve import Pushover
 
 
 @takes(structure=text, to=optional(quantity), direction=text, output=arguments.file)

@@ -27,16 +27,18 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from PIL import Image
 
-from pounding import printing
-from pounding.checked_file import NotResults
-from pounding.ended import exit_code
+from pounding import _printing as printing
+from pounding._checked_file import NotResults
+from pounding._ended import exit_code
+from pounding._outputs import PICTURE, cannot_read, destination, output_for, replaced, tell
+from pounding._pictures.drawing import Drawing, are_many, draw_ground, frame_axes, hide_x, label_axes
+from pounding._pictures.panels import legend_below
+from pounding._pictures.scene import Motion, Scene
+from pounding._pictures.style import STYLE, TIME_UNITS, VERMILION, BadRequest, head, largest
 from pounding.errors import InputError
-from pounding.outputs import PICTURE, cannot_read, destination, output_for, replaced, tell
-from pounding.pictures.drawing import Drawing, are_many, draw_ground, frame_axes, hide_x, label_axes
-from pounding.pictures.panels import legend_below
-from pounding.pictures.scene import Motion, Scene
-from pounding.pictures.style import STYLE, TIME_UNITS, VERMILION, BadRequest, head, largest
 from pounding.results import RunData
+
+__all__ = ["Film", "animate", "save"]
 
 DPI = 110
 SLOWEST, FASTEST = 5, 25  #: frames per second

@@ -12,12 +12,15 @@ from typing import Any, NamedTuple, Protocol, TypeVar, cast
 import numpy as np
 import numpy.typing as npt
 
-from pounding import arguments, printing
+from pounding import _arguments as arguments
+from pounding import _printing as printing
+from pounding._arguments import flag, number, optional, quantity, takes, text
+from pounding._contact_state import ContactState
+from pounding._law_parameters import Given, Parameter, Quantity, by_key, number_in, numbers_of
 from pounding._native import core
-from pounding.arguments import flag, number, optional, quantity, takes, text
-from pounding.contact_state import ContactState
 from pounding.errors import InputError
-from pounding.law_parameters import Given, Parameter, Quantity, by_key, number_in, numbers_of
+
+__all__ = ["Formula", "FreeImpact", "Law", "LawKind", "Laws", "Parameter", "Response", "calibrate", "laws"]
 
 #: A number or an array of numbers.
 Numbers = npt.ArrayLike

@@ -6,6 +6,8 @@ import reprlib
 import unicodedata
 from typing import Any
 
+__all__ = ["AccuracyWarning", "ImplausibleWarning", "InputError", "Interrupted", "SolverError"]
+
 #: Maximum length of a message, as in the program, and of a quoted value.
 LONGEST_MESSAGE, LONGEST_EXCERPT = 1800, 200
 

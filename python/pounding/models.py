@@ -11,16 +11,20 @@ from os import PathLike, fspath
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from pounding import arguments, printing, yaml_text
+from pounding import _arguments as arguments
+from pounding import _printing as printing
+from pounding import _yaml_text as yaml_text
+from pounding._arguments import takes, whole
 from pounding._modes import Modes
 from pounding._native import core
-from pounding.arguments import takes, whole
+from pounding._pictures.html import text_html
+from pounding._records import POUNDING_RECORDS, data_folder
 from pounding.errors import ImplausibleWarning
-from pounding.pictures.html import text_html
-from pounding.records import POUNDING_RECORDS, data_folder
 
 if TYPE_CHECKING:
     from pounding.view import View
+
+__all__ = ["Checked", "Model", "check", "modes"]
 
 #: Sections of an input, in the order of the examples.
 PARTS = (

@@ -7,9 +7,11 @@ import copy
 from collections.abc import Mapping, Sequence
 from typing import Any, NamedTuple
 
-from pounding import arguments
+from pounding import _arguments as arguments
 from pounding._native import core
 from pounding.errors import InputError, excerpt
+
+__all__ = ["Extent", "extent", "row"]
 
 #: Number of decimals of coordinates in m: 12.03, not 12.030000000000001.
 DECIMALS = 9

@@ -13,15 +13,34 @@ from typing import Any, TypeVar
 import h5py
 import numpy as np
 
-from pounding import arguments, printing
-from pounding.arguments import takes
-from pounding.checked_file import RESULTS, HoldsPushover, NotResults, require_whole, require_whole_image
-from pounding.devices import Device, read_devices
-from pounding.envelopes import StructureEnvelope, included, read_envelopes, section_signs
+from pounding import _arguments as arguments
+from pounding import _printing as printing
+from pounding._arguments import takes
+from pounding._checked_file import RESULTS, HoldsPushover, NotResults, require_whole, require_whole_image
+from pounding._comparison import worst
+from pounding._devices import Device, read_devices
+from pounding._envelopes import Extremes, StructureEnvelope, included, read_envelopes, section_signs
+from pounding._outputs import replaced
+from pounding._springs import Springs, read_springs
+from pounding._texts import read_fields, text, texts
 from pounding.errors import InputError, excerpt
-from pounding.outputs import replaced
-from pounding.springs import Springs, read_springs
-from pounding.texts import read_fields, text, texts
+
+__all__ = [
+    "Device",
+    "Extremes",
+    "FloorMotion",
+    "Geometry",
+    "Link",
+    "MemberForces",
+    "NodeMotion",
+    "NotResults",
+    "Reactions",
+    "RunData",
+    "Springs",
+    "Structure",
+    "StructureEnvelope",
+    "worst",
+]
 
 Data = TypeVar("Data", bound="RunData")
 
@@ -168,7 +187,7 @@ class Structure(printing.ReportLines, lines=printing.structure):
     @property
     def edge_displacement(self) -> np.ndarray | None:
         """[time, floor, edge] displacements of the edges of rigid floors along themselves, in the order of
-        `pounding.envelopes.EDGES` [m]; NaN and None as for `rotation`."""
+        `pounding._envelopes.EDGES` [m]; NaN and None as for `rotation`."""
         if self.plan is None:
             return None
         x, y, turn = (self.along[axis].displacement[:, :, None] for axis in ("x", "y", "rz"))

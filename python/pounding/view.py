@@ -17,18 +17,21 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from pounding import arguments, printing
+from pounding import _arguments as arguments
+from pounding import _printing as printing
+from pounding._arguments import takes
+from pounding._outputs import Kind, destination, replaced
+from pounding._pictures.drawing import VIEWS
+from pounding._pictures.scene import Scene
+from pounding._pictures.style import TIME_UNITS, BadRequest
+from pounding._pictures.view_scene import film_motions, mode_motions, packed, traces
 from pounding.animation import FASTEST, SLOWEST, choose_scale, frame_times, pressed
-from pounding.arguments import takes
-from pounding.outputs import Kind, destination, replaced
-from pounding.pictures.drawing import VIEWS
-from pounding.pictures.scene import Scene
-from pounding.pictures.style import TIME_UNITS, BadRequest
-from pounding.pictures.view_scene import film_motions, mode_motions, packed, traces
 from pounding.results import RunData
 
 if TYPE_CHECKING:
     from pounding._modes import Modes
+
+__all__ = ["View"]
 
 #: Maximum size of the film in the file [bytes]; plotly.js takes 5 MB.
 FILM = 12e6
@@ -102,7 +105,7 @@ def view_of_run(
     }
     text = json.dumps(page, allow_nan=False, separators=(",", ":")).replace("<", "\\u003c")
     pieces = {"@TITLE@": html.escape(page["title"]), "@PLOTLY@": _plotly(), "@DATA@": text}
-    whole_page = Path(__file__).with_name("pictures").joinpath("view.html").read_text(encoding="utf-8")
+    whole_page = Path(__file__).with_name("_pictures").joinpath("view.html").read_text(encoding="utf-8")
     for name, piece in pieces.items():
         before, after = whole_page.split(name, 1)
         whole_page = before + piece + after

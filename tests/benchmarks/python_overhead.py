@@ -13,12 +13,12 @@ from pathlib import Path
 import numpy as np
 
 import pounding
-from pounding import yaml_text
+from pounding import _yaml_text as yaml_text
 from pounding._native import core
-from pounding.studies.engines import run_batch
-from pounding.studies.execution import batch_of
-from pounding.studies.plan import make_plan
-from pounding.studies.prepared import prepared
+from pounding._studies.engines import run_batch
+from pounding._studies.execution import batch_of
+from pounding._studies.plan import make_plan
+from pounding._studies.prepared import prepared
 
 ROOT = Path(__file__).resolve().parents[2]
 TIMES = 40

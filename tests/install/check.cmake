@@ -68,7 +68,7 @@ file(WRITE ${WORK}/results.h5 "")
 execute_process(COMMAND ${CMAKE_COMMAND} -E env POUNDING_PYTHON=${WORK}/python PYTHONPATH=
   ${prefix}/bin/pounding export ${WORK}/results.h5 OUTPUT_QUIET)
 file(READ ${WORK}/path path)
-if(NOT path STREQUAL "${prefix}/share/pounding/python" OR NOT EXISTS ${path}/pounding/export.py)
+if(NOT path STREQUAL "${prefix}/share/pounding/python" OR NOT EXISTS ${path}/pounding/_export.py)
   message(FATAL_ERROR "the installed program looks for its modules in ${path}")
 endif()
 

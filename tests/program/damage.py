@@ -127,12 +127,12 @@ def damaged(content, chance):
 
 def readers():
     """The functions of the package that read a file, by kind of file."""
-    from pounding.pushover_curve import read_pushover
+    from pounding._pushover_curve import read_pushover
     from pounding.results import RunData
 
     found = {"run": RunData.read, "pushover": read_pushover}
     if WITH_STUDIES:
-        from pounding.studies.rows import Rows
+        from pounding._studies.rows import Rows
 
         found["study"] = Rows.open
     return found
@@ -154,7 +154,7 @@ def fate_by_signal(code):
 def fate_of_reading(path, read):
     """Outcome of a reader of the package on a file, in a separate process: refused, read, an exception, a signal, or
     hangs."""
-    from pounding.checked_file import NotResults
+    from pounding._checked_file import NotResults
 
     def reading():
         try:
@@ -206,7 +206,7 @@ def fate_of_package(words, path):
     from pounding.__main__ import MODULES, STUDIES
 
     name, given = (
-        (f"pounding.{MODULES[words[0]]}", words[1:]) if words[0] in MODULES else ("pounding.studies.command", words)
+        (f"pounding.{MODULES[words[0]]}", words[1:]) if words[0] in MODULES else ("pounding._studies.command", words)
     )
     assert words[0] in (*MODULES, *STUDIES)
     main = importlib.import_module(name).main

@@ -3,7 +3,7 @@
 import zlib
 from pathlib import Path
 
-from pounding.checked_file import BLOCK, block
+from pounding._checked_file import BLOCK, block
 
 
 def seal(path):

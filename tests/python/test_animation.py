@@ -18,10 +18,10 @@ from PIL import Image
 
 import frame_samples
 from pounding import animation
-from pounding.pictures.drawing import project
-from pounding.runs import read
-from pounding.pictures.scene import Motion, Scene
-from pounding.pictures.style import BadRequest
+from pounding._pictures.drawing import project
+from pounding._runs import read
+from pounding._pictures.scene import Motion, Scene
+from pounding._pictures.style import BadRequest
 from messages import assert_mentions, raises
 
 PROGRAM = os.environ["POUNDING_PROGRAM"]

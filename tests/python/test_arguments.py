@@ -13,8 +13,8 @@ import numpy as np
 import pounding
 from pounding import plan
 from pounding.errors import LONGEST_MESSAGE
-from pounding.spectra import spectra_figure
-from pounding.studies.separation import separation
+from pounding._spectra import spectra_figure
+from pounding._studies.separation import separation
 from messages import raises
 
 MODEL = """\

@@ -5,8 +5,8 @@ import itertools
 import unittest
 from pathlib import Path
 
-from pounding.codes import chosen, rules
-from pounding.codes.evaluate import Conditions, Level, Side, evaluate
+from pounding._codes import chosen, rules
+from pounding._codes.evaluate import Conditions, Level, Side, evaluate
 from pounding.errors import InputError
 from messages import raises
 

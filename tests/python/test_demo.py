@@ -10,7 +10,7 @@ import unittest
 from pathlib import Path
 from unittest import mock
 
-from pounding import demo
+from pounding import _demo as demo
 from pounding.errors import InputError
 from messages import assert_mentions, raises
 

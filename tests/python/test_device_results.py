@@ -5,7 +5,7 @@ import unittest
 
 import numpy as np
 
-from pounding import tables
+from pounding import _tables as tables
 from messages import assert_mentions
 from test_spring_results import results_of
 
@@ -49,7 +49,7 @@ class Devices(unittest.TestCase):
     def test_have_their_part_of_the_energy_in_the_picture(self):
         from matplotlib.figure import Figure
 
-        from pounding.pictures.histories import draw_energies
+        from pounding._pictures.histories import draw_energies
 
         axes = Figure().subplots()
         draw_energies(axes, self.results)
@@ -65,7 +65,7 @@ class Devices(unittest.TestCase):
     )
     @unittest.skipIf(importlib.util.find_spec("matplotlib") is None, "needs matplotlib")
     def test_are_drawn_as_loops_with_the_energy_that_they_lose(self):
-        from pounding.pictures.spring_loops import loops_figure
+        from pounding._pictures.spring_loops import loops_figure
 
         drawn = [axes for axes in loops_figure(self.results).axes if axes.axison]
         lost = sorted(self.results.summary["devices"], key=lambda one: -one["energy_lost"])

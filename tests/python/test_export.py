@@ -12,11 +12,11 @@ import numpy as np
 
 import frame_samples
 from sealed import seal
-from pounding import export
-from pounding.runs import read
-from pounding.pictures.geometry import node_displacements
-from pounding.pictures.scene import Scene
-from pounding.pictures.style import BadRequest
+from pounding import _export as export
+from pounding._runs import read
+from pounding._pictures.geometry import node_displacements
+from pounding._pictures.scene import Scene
+from pounding._pictures.style import BadRequest
 from messages import assert_mentions, raises
 
 PROGRAM = os.environ["POUNDING_PROGRAM"]

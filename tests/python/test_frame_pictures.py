@@ -13,16 +13,16 @@ import numpy as np
 from matplotlib.collections import PolyCollection
 
 import frame_samples
-from pounding import plots
+from pounding import _plots as plots
 from pounding.animation import animate, frame_times
-from pounding.pictures import figures
-from pounding.pictures.geometry import outline
-from pounding.pictures.model_picture import model_figure
-from pounding.pictures.plan_map import contacts
-from pounding.pictures.profiles import profiles_figure
-from pounding.runs import read
-from pounding.pictures.scene import Scene
-from pounding.pictures.style import BadRequest, structure_colour
+from pounding._pictures import figures
+from pounding._pictures.geometry import outline
+from pounding._pictures.model_picture import model_figure
+from pounding._pictures.plan_map import contacts
+from pounding._pictures.profiles import profiles_figure
+from pounding._runs import read
+from pounding._pictures.scene import Scene
+from pounding._pictures.style import BadRequest, structure_colour
 from messages import raises
 
 WRITER = os.environ["POUNDING_RESULTS_WRITER"]

@@ -11,9 +11,9 @@ import h5py
 import numpy as np
 
 import frame_samples
-from pounding.runs import read
-from pounding.pictures.geometry import line_model, nearest_on_members, node_displacements
-from pounding.pictures.scene import Motion, Scene
+from pounding._runs import read
+from pounding._pictures.geometry import line_model, nearest_on_members, node_displacements
+from pounding._pictures.scene import Motion, Scene
 from messages import raises
 
 WRITER = os.environ["POUNDING_RESULTS_WRITER"]

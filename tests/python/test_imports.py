@@ -19,7 +19,7 @@ def names_of(package):
 
 def imported(text, modules):
     """The modules among `modules` that a text imports anywhere: at its top, inside functions, for types, or by name, as
-    in importlib.import_module("pounding.plots")."""
+    in importlib.import_module("pounding._plots")."""
     found = set()
     for node in ast.walk(ast.parse(text)):
         if isinstance(node, ast.Import):
@@ -27,7 +27,7 @@ def imported(text, modules):
         elif isinstance(node, ast.ImportFrom):
             assert node.level == 0, "a relative import"
             inner = {f"{node.module}.{alias.name}" for alias in node.names}
-            # `from pounding import records` imports the module pounding.records, `from pounding.results import Link`
+            # `from pounding import _records` imports the module pounding._records, `from pounding.results import Link`
             # imports pounding.results.
             found |= inner & modules
             if not inner <= modules:
@@ -59,6 +59,10 @@ def in_circles(imports):
     return {module for module in imports if module in reached_from(module, imports)}
 
 
+#: Modules that users import; the names that start with an underscore are private.
+PUBLIC = {"animation", "contact", "errors", "models", "opensees", "plan", "results", "studies", "view"}
+
+
 class Imports(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
@@ -67,41 +71,56 @@ class Imports(unittest.TestCase):
     def test_there_is_no_circle(self):
         self.assertEqual(in_circles(self.imports), set())
 
+    def test_public_modules_are_few_and_list_their_public_names(self):
+        """At most ten, with the package and `pounding.studies.fragility`."""
+        files = names_of(PACKAGE)
+        public = {name for name in files if not any(part.startswith("_") for part in name.split("."))}
+        self.assertEqual(public, {"pounding", *(f"pounding.{name}" for name in PUBLIC)})
+        for name in public:
+            found = [
+                ast.literal_eval(node.value)
+                for node in ast.parse(files[name].read_text()).body
+                if isinstance(node, ast.Assign) and ast.unparse(node.targets[0]) == "__all__"
+            ]
+            self.assertEqual(len(found), 1, name)
+            self.assertEqual(found[0], sorted(found[0]), name)
+
     def test_results_know_no_picture(self):
         self.assertEqual(
             reached_from("pounding.results", self.imports),
             {
-                "pounding.arguments",
-                "pounding.checked_file",
-                "pounding.devices",
-                "pounding.envelopes",
+                "pounding._arguments",
+                "pounding._checked_file",
+                "pounding._comparison",
+                "pounding._devices",
+                "pounding._envelopes",
                 "pounding.errors",
-                "pounding.outputs",
-                "pounding.springs",
-                "pounding.texts",
-                "pounding.printing",
+                "pounding._outputs",
+                "pounding._springs",
+                "pounding._texts",
+                "pounding._printing",
             },
         )
 
     def test_a_table_for_a_notebook_needs_no_picture_and_no_file(self):
-        self.assertEqual(reached_from("pounding.pictures.html", self.imports), set())
+        self.assertEqual(reached_from("pounding._pictures.html", self.imports), set())
 
     def test_pictures_take_results_not_runs(self):
         for module in self.imports:
-            if module.startswith("pounding.pictures") or module in (
-                "pounding.plots",
+            if module.startswith("pounding._pictures") or module in (
+                "pounding._plots",
                 "pounding.animation",
-                "pounding.export",
+                "pounding._export",
             ):
-                self.assertFalse({"pounding.runs", "pounding._native"} & reached_from(module, self.imports), module)
+                self.assertFalse({"pounding._runs", "pounding._native"} & reached_from(module, self.imports), module)
 
     def test_every_import_is_seen(self):
         self.assertLessEqual(
-            {"pounding.results", "pounding.tables", "pounding.animation", "pounding.pictures.figures"},
-            self.imports["pounding.runs"],
+            {"pounding.results", "pounding._tables", "pounding.animation", "pounding._pictures.figures"},
+            self.imports["pounding._runs"],
         )
-        self.assertIn("pounding.opensees", self.imports["pounding.opensees.from_model"])
-        self.assertIn("pounding.mode_shapes", self.imports["pounding._modes"])
+        self.assertIn("pounding.opensees", self.imports["pounding._opensees.from_model"])
+        self.assertIn("pounding._mode_shapes", self.imports["pounding._modes"])
 
 
 class Reader(unittest.TestCase):

@@ -14,9 +14,9 @@ from pathlib import Path
 import numpy as np
 
 import frame_samples
-from pounding import mode_shapes
-from pounding.pictures.drawing import project
-from pounding.pictures.style import BadRequest
+from pounding import _mode_shapes as mode_shapes
+from pounding._pictures.drawing import project
+from pounding._pictures.style import BadRequest
 from messages import assert_mentions, raises
 
 PROGRAM = os.environ["POUNDING_PROGRAM"]

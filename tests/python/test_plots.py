@@ -14,11 +14,13 @@ from pathlib import Path
 import h5py
 import numpy as np
 
-from pounding import animation, export, plots
-from pounding.pictures import figures, style
-from pounding.pictures.style import BadRequest
+from pounding import _export as export
+from pounding import _plots as plots
+from pounding import animation
+from pounding._pictures import figures, style
+from pounding._pictures.style import BadRequest
 from pounding.results import NotResults
-from pounding.runs import read
+from pounding._runs import read
 from messages import assert_mentions, raises
 
 WRITER = os.environ["POUNDING_RESULTS_WRITER"]
@@ -52,7 +54,7 @@ class Pictures(unittest.TestCase):
         return plots.standard_figure(read(self.files[kind]), **options)
 
     def test_need_a_matplotlib_that_is_new_enough(self):
-        code = "import matplotlib\nmatplotlib.__version_info__ = (3, 6, 3)\nimport pounding.plots"
+        code = "import matplotlib\nmatplotlib.__version_info__ = (3, 6, 3)\nimport pounding._plots"
         done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True)
         self.assertEqual(done.returncode, 1)
         assert_mentions(

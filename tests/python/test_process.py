@@ -11,6 +11,7 @@ import time
 import unittest
 from collections import Counter
 from pathlib import Path
+
 from messages import assert_mentions
 
 EXAMPLES = Path(os.environ["POUNDING_EXAMPLES"])
@@ -76,7 +77,7 @@ class Importing(unittest.TestCase):
             sys.modules["openseespy"] = None
             import pounding
             assert pounding.opensees.link.__name__ == "link" and "opensees" in dir(pounding)
-            assert pounding.from_opensees.__module__ == "pounding.opensees.from_model"
+            assert pounding.from_opensees.__module__ == "pounding._opensees.from_model"
             assert not {"matplotlib", "h5py"} & set(sys.modules)
             try:
                 pounding.opensees.link(1, 2, 3, gap=0.0, law="hertz")
@@ -89,7 +90,7 @@ class Importing(unittest.TestCase):
         )
 
     def test_public_modules_are_attributes(self):
-        for module in ("animation", "contact", "models", "opensees", "results"):
+        for module in ("animation", "contact", "errors", "models", "opensees", "plan", "results", "studies", "view"):
             self.assertEqual(
                 python(f"import pounding; print(pounding.{module}.__name__)").strip(), f"pounding.{module}"
             )
@@ -110,7 +111,7 @@ class Importing(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             shutil.copytree(ROOT / "python/pounding", Path(folder) / "pounding")
             code = """
-                import pounding.plots, pounding.animation, pounding.export, pounding.mode_shapes
+                import pounding._plots, pounding.animation, pounding._export, pounding._mode_shapes
                 try:
                     pounding.laws
                 except ImportError as error:
@@ -260,7 +261,7 @@ class InterruptedStudy(unittest.TestCase):
         """Even if a thread of another library receives the signal that this one has blocked."""
         said = python("""
             import os, signal, threading, time
-            from pounding.studies.execution import _interrupt_held
+            from pounding._studies.execution import _interrupt_held
             thread = threading.Thread(target=time.sleep, args=(1,))
             thread.start()
             handler = signal.getsignal(signal.SIGINT)

@@ -108,8 +108,8 @@ class Pushover(unittest.TestCase):
 
 class Drawn(unittest.TestCase):
     def test_by_plot_from_its_file(self):
-        from pounding import plots
-        from pounding.checked_file import HoldsPushover
+        from pounding import _plots as plots
+        from pounding._checked_file import HoldsPushover
 
         with tempfile.TemporaryDirectory() as folder:
             path, picture = Path(folder) / "curve.h5", Path(folder) / "curve.png"

@@ -8,7 +8,7 @@ from unittest import mock
 import pounding
 from pounding._native import core
 from pounding.errors import InputError
-from pounding.screening import screen, table_of
+from pounding._screening import screen, table_of
 from messages import assert_mentions, raises
 
 EXAMPLES = Path(os.environ["POUNDING_EXAMPLES"])

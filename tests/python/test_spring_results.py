@@ -10,7 +10,7 @@ from pathlib import Path
 
 import numpy as np
 
-from pounding import results, tables
+from pounding import results, _tables as tables
 from messages import assert_mentions, raises
 
 MODEL = """\
@@ -87,8 +87,8 @@ class Springs(unittest.TestCase):
 
     @unittest.skipIf(importlib.util.find_spec("matplotlib") is None, "needs matplotlib")
     def test_are_drawn_as_the_loops_of_the_six_that_lose_most(self):
-        from pounding.pictures.spring_loops import loops_figure
-        from pounding.pictures.style import BadRequest
+        from pounding._pictures.spring_loops import loops_figure
+        from pounding._pictures.style import BadRequest
 
         figure = loops_figure(self.results)
         drawn = [axes for axes in figure.axes if axes.axison]
@@ -111,7 +111,7 @@ class Springs(unittest.TestCase):
 
     @unittest.skipIf(importlib.util.find_spec("matplotlib") is None, "needs matplotlib")
     def test_show_their_residual_drifts_in_the_run_picture(self):
-        from pounding.pictures.run_picture import standard_figure
+        from pounding._pictures.run_picture import standard_figure
 
         [axes] = [axes for axes in standard_figure(self.results).axes if "at the end" in axes.get_title(loc="left")]
         heights = [patch.get_height() for patch in axes.patches]
@@ -122,7 +122,7 @@ class Springs(unittest.TestCase):
     @unittest.skipIf(importlib.util.find_spec("matplotlib") is None, "needs matplotlib")
     def test_are_storeys_of_a_map_coloured_by_ductility(self):
         from matplotlib.colors import to_rgba
-        from pounding.pictures.hinge_map import COLOURS, hinges_figure
+        from pounding._pictures.hinge_map import COLOURS, hinges_figure
 
         figure = hinges_figure(self.results)
         axes, bar = figure.axes
@@ -147,8 +147,8 @@ class Springs(unittest.TestCase):
 
     @unittest.skipIf(importlib.util.find_spec("matplotlib") is None, "needs matplotlib")
     def test_a_map_needs_something_that_yields(self):
-        from pounding.pictures.hinge_map import hinges_figure
-        from pounding.pictures.style import BadRequest
+        from pounding._pictures.hinge_map import hinges_figure
+        from pounding._pictures.style import BadRequest
 
         elastic = dataclasses.replace(self.results, structures={"third": self.results.structures["third"]})
         with raises(BadRequest):
@@ -162,8 +162,8 @@ class HingeMap(unittest.TestCase):
         cls.results = results_of(FRAMES)
 
     def marks(self):
-        from pounding.pictures.hinge_map import APART, _marks, measure_of
-        from pounding.pictures.model_picture import spread_scene
+        from pounding._pictures.hinge_map import APART, _marks, measure_of
+        from pounding._pictures.model_picture import spread_scene
 
         scene = spread_scene(self.results, APART)
         return scene, {(mark.structure, mark.name): mark for mark in _marks(scene, measure_of(self.results))}
@@ -184,7 +184,7 @@ class HingeMap(unittest.TestCase):
         self.assertGreater(apart, 0.5)
 
     def test_hinges_with_an_ultimate_rotation_are_coloured_by_it(self):
-        from pounding.pictures.hinge_map import hinges_figure
+        from pounding._pictures.hinge_map import hinges_figure
 
         _, marks = self.marks()
         for name, one in self.results.structures.items():
@@ -203,7 +203,7 @@ class HingeMap(unittest.TestCase):
             legends_fit(self, figure)
 
     def test_hinges_without_one_are_coloured_by_plastic_rotation(self):
-        from pounding.pictures.hinge_map import hinges_figure
+        from pounding._pictures.hinge_map import hinges_figure
 
         results = results_of(FRAMES.replace(", ultimate_rotation: 0.0005", ""))
         figure = hinges_figure(results)
@@ -215,7 +215,7 @@ class HingeMap(unittest.TestCase):
         self.assertIn(f"{1e3 * largest:.3g}", {text.get_text() for text in figure.axes[0].texts})
 
     def test_a_star_tells_how_often_a_link_was_hit(self):
-        from pounding.pictures.hinge_map import hinges_figure
+        from pounding._pictures.hinge_map import hinges_figure
 
         figure = hinges_figure(self.results)
         self.assertIn(str(self.results.impacts.size), [text.get_text() for text in figure.axes[0].texts])

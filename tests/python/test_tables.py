@@ -11,7 +11,7 @@ import numpy as np
 import pounding
 from messages import assert_mentions, raises
 from pounding.errors import InputError
-from pounding.pictures import style
+from pounding._pictures import style
 
 EXAMPLES = Path(os.environ["POUNDING_EXAMPLES"])
 

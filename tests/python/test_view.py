@@ -19,7 +19,7 @@ import pounding
 from messages import assert_mentions, raises
 from pounding import view
 from pounding.errors import InputError
-from pounding.pictures.scene import Motion, Scene
+from pounding._pictures.scene import Motion, Scene
 
 EXAMPLES = Path(os.environ["POUNDING_EXAMPLES"])
 PROGRAM = os.environ["POUNDING_PROGRAM"]

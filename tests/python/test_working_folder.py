@@ -48,7 +48,7 @@ class WorkingFolder(unittest.TestCase):
             for words in (
                 ("pounding", "run", "model.yaml", "-q", "-o", "out.h5"),
                 ("pounding", "plot", "out.h5"),
-                ("pounding.plots", "out.h5"),
+                ("pounding._plots", "out.h5"),
                 ("pounding", "study", "study.yaml", "-j", "1", "-q"),
                 ("pounding", "separation", "model.yaml", "-j", "1"),
             ):

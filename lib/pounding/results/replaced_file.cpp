@@ -63,7 +63,7 @@ bool is_same_file(const Descriptor& file, const fs::path& path) {
 
 bool is_results(std::string_view start) { return begins_results(std::as_bytes(std::span(start))); }
 
-// As in python/pounding/outputs.py.
+// As in python/pounding/_outputs.py.
 bool is_picture(std::string_view start) {
   using namespace std::string_view_literals;
   constexpr std::array signatures{"\x89PNG"sv, "%PDF-"sv,        "GIF8"sv,

@@ -17,10 +17,10 @@ import warnings
 from pathlib import Path
 
 from pounding.errors import InputError
-from pounding.studies.plan import read_plan
-from pounding.studies.quantities import UNITS
-from pounding.studies.reading import EXAMPLES
-from pounding.studies.scipy_stats import stats
+from pounding._studies.plan import read_plan
+from pounding._studies.quantities import UNITS
+from pounding._studies.reading import EXAMPLES
+from pounding._studies.scipy_stats import stats
 
 SECONDS, MEMORY = 10, 2_000_000_000
 MODEL = """\

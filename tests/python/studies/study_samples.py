@@ -5,7 +5,7 @@ import os
 import numpy as np
 
 import pounding
-from pounding.studies.template import Template
+from pounding._studies.template import Template
 
 
 def pair(**changes):

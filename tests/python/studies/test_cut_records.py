@@ -12,8 +12,8 @@ from pathlib import Path
 import numpy as np
 
 import pounding
-from pounding.studies.plan import make_plan, read_plan
-from pounding.studies.study import run_plan
+from pounding._studies.plan import make_plan, read_plan
+from pounding._studies.study import run_plan
 from study_samples import pair
 
 

@@ -14,12 +14,12 @@ from pathlib import Path
 import numpy as np
 
 import pounding
-from pounding import yaml_text
+from pounding import _yaml_text as yaml_text
 from pounding._native import core
 from pounding.errors import InputError
-from pounding.studies.factors import is_integer, put
-from pounding.studies.plan import make_plan
-from pounding.studies.study import run_plan
+from pounding._studies.factors import is_integer, put
+from pounding._studies.plan import make_plan
+from pounding._studies.study import run_plan
 
 NUMBER = re.compile(r"([-+]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][-+]?[0-9]+)?)\s*([^0-9].*)?")
 #: Values of these keys are names, even if they look like numbers.

@@ -6,8 +6,8 @@ from pathlib import Path
 
 import pounding
 from pounding.errors import InputError
-from pounding.studies.separation import separation
-from pounding.studies.separation_table import table_of
+from pounding._studies.separation import separation
+from pounding._studies.separation_table import table_of
 from study_samples import bents, blocks, pair, write_records
 from messages import assert_mentions
 

@@ -14,9 +14,9 @@ import numpy as np
 import pounding
 from pounding import separation
 from pounding.errors import InputError
-from pounding.studies import gaps
-from pounding.studies.separation_table import table_of
-from pounding.studies.study import study
+from pounding._studies import gaps
+from pounding._studies.separation_table import table_of
+from pounding._studies.study import study
 from study_samples import pair
 from messages import assert_mentions, raises
 
@@ -41,7 +41,7 @@ class Separations(unittest.TestCase):
 
     def file(self, structures=None, links=None, **keys):
         model = pair(structures=structures or STRUCTURES, links=links or [LINK])
-        text = model.to_yaml() + pounding.yaml_text.emit(pounding.yaml_text.plain({"study": keys or records(3)}))
+        text = model.to_yaml() + pounding._yaml_text.emit(pounding._yaml_text.plain({"study": keys or records(3)}))
         (self.folder / "model.yaml").write_text(text)
         return self.folder / "model.yaml"
 
@@ -273,7 +273,7 @@ class Commands(Separations):
     def test_without_the_compiled_part_the_message_says_what_to_type(self):
         sources = Path(__file__).resolve().parents[3] / "python"
         done = subprocess.run(
-            [sys.executable, "-m", "pounding.studies.command", "separation", "model.yaml"],
+            [sys.executable, "-m", "pounding._studies.command", "separation", "model.yaml"],
             env={**os.environ, "PYTHONPATH": str(sources)},
             capture_output=True,
             text=True,

@@ -13,8 +13,8 @@ import numpy as np
 
 import pounding
 from pounding.errors import InputError
-from pounding.studies import command
-from pounding.studies.percentiles import order_statistic
+from pounding._studies import command
+from pounding._studies.percentiles import order_statistic
 from messages import assert_mentions, raises
 from study_samples import WORDS, pair
 

@@ -15,13 +15,13 @@ import numpy as np
 
 import pounding
 from pounding.errors import InputError
-from pounding.studies import command
-from pounding.studies.table_commands import report_of
-from pounding.studies.batches import COLLAPSED, DONE, EXCEEDED, STATUSES
-from pounding.studies.plan import make_plan
-from pounding.studies.quantities import Kept
-from pounding.studies.study import run_plan
-from pounding.studies.summary import summary
+from pounding._studies import command
+from pounding._studies.table_commands import report_of
+from pounding._studies.batches import COLLAPSED, DONE, EXCEEDED, STATUSES
+from pounding._studies.plan import make_plan
+from pounding._studies.quantities import Kept
+from pounding._studies.study import run_plan
+from pounding._studies.summary import summary
 from messages import assert_mentions, raises
 
 #: Two yielding storeys next to a stiff neighbour.
@@ -184,7 +184,7 @@ class Collapse(unittest.TestCase):
         self.assertEqual((opened.collapsed, opened.failed), (self.study.collapsed, {}))
         assert_mentions(repr(opened), f"{self.fallen.sum()}")
         # They are not run again.
-        self.assertEqual(len(pounding.studies.table.Table(self.plan, self.folder / "s.h5").missing()), 0)
+        self.assertEqual(len(pounding._studies.table.Table(self.plan, self.folder / "s.h5").missing()), 0)
 
     def test_the_report_names_them(self):
         told = self.command("study", "show", "s.h5")
@@ -271,8 +271,8 @@ class Collapse(unittest.TestCase):
     def test_a_separation_says_for_which_records_no_gap_is_enough(self):
         model = {**GUARDED, "analysis": {**MODEL["analysis"]}}
         (self.folder / "guarded.yaml").write_text(
-            pounding.yaml_text.emit(
-                pounding.yaml_text.plain({**model, "ground_motion": {"record": "recs/r2.csv", "scale": "5"}})
+            pounding._yaml_text.emit(
+                pounding._yaml_text.plain({**model, "ground_motion": {"record": "recs/r2.csv", "scale": "5"}})
             )
         )
         strong = []
@@ -323,7 +323,7 @@ class Collapse(unittest.TestCase):
         # Version 0.2.0 wrote six status names, no warnings, and the numbers until the collapse.
         old = self.folder / "old.h5"
         image = io.BytesIO()
-        from pounding.checked_file import write_study
+        from pounding._checked_file import write_study
 
         with h5py.File(self.folder / "s.h5") as file, h5py.File(image, "w") as copy:
             copy.attrs.update(file.attrs)

@@ -14,16 +14,16 @@ import numpy as np
 
 import pounding
 from pounding.errors import InputError
-from pounding.studies import kernel_engine
-from pounding.studies.cross_check import differences, rows_to_check
-from pounding.studies.batches import DONE, EXCEEDED, REFUSED
-from pounding.studies.engines import ENGINES, run_batch
-from pounding.studies.execution import batch_of
-from pounding.studies.factors import at
-from pounding.studies.pairs import Pairs
-from pounding.studies.places import Places
-from pounding.studies.plan import make_plan
-from pounding.studies.study import run_plan
+from pounding._studies import kernel_engine
+from pounding._studies.cross_check import differences, rows_to_check
+from pounding._studies.batches import DONE, EXCEEDED, REFUSED
+from pounding._studies.engines import ENGINES, run_batch
+from pounding._studies.execution import batch_of
+from pounding._studies.factors import at
+from pounding._studies.pairs import Pairs
+from pounding._studies.places import Places
+from pounding._studies.plan import make_plan
+from pounding._studies.study import run_plan
 from study_samples import FACTORS, WORDS, pair
 from messages import assert_mentions, raises
 
@@ -400,8 +400,8 @@ class Engines(unittest.TestCase):
 
     def test_the_report_says_what_ran_where(self):
         (self.folder / "pair.yaml").write_text(pair().to_yaml())
-        words = pounding.yaml_text.plain({"factors": FACTORS, **WORDS})
-        (self.folder / "study.yaml").write_text(pounding.yaml_text.emit({"model": "pair.yaml", "study": words}))
+        words = pounding._yaml_text.plain({"factors": FACTORS, **WORDS})
+        (self.folder / "study.yaml").write_text(pounding._yaml_text.emit({"model": "pair.yaml", "study": words}))
 
         def command(*words):
             done = subprocess.run(
@@ -490,7 +490,7 @@ class Engines(unittest.TestCase):
 
 
 def words_of(text):
-    from pounding.studies.reading import quantity
+    from pounding._studies.reading import quantity
 
     return quantity(text, "")[0]
 

@@ -13,11 +13,11 @@ import numpy as np
 import pounding
 from pounding._native import core
 from pounding.errors import InputError
-from pounding.studies.execution import batch_of
-from pounding.studies.engines import run_batch
-from pounding.studies.plan import read_plan
-from pounding.studies.study import run_plan
-from pounding.studies.table import Table
+from pounding._studies.execution import batch_of
+from pounding._studies.engines import run_batch
+from pounding._studies.plan import read_plan
+from pounding._studies.study import run_plan
+from pounding._studies.table import Table
 from study_samples import pair, write_records
 from messages import raises
 
@@ -112,7 +112,7 @@ class FilesOfAStudy(unittest.TestCase):
             Table(plan, self.folder / "killed.h5").add(run_batch(batch_of(plan, np.arange(1))))
             other = self.copied(f"copy of {name}")
             copy = read_plan(other / name)
-            with mock.patch("pounding.studies.engines.run_batch", side_effect=AssertionError("no row is left to run")):
+            with mock.patch("pounding._studies.engines.run_batch", side_effect=AssertionError("no row is left to run")):
                 table = Table(copy, other / "whole.h5")
                 for k in (1, 2):
                     table.merge(other / f"s{k}.h5")

@@ -10,9 +10,9 @@ import numpy as np
 
 import pounding
 from pounding.errors import InputError
-from pounding.studies.batches import DONE
-from pounding.studies.plan import make_plan
-from pounding.studies.study import run_plan
+from pounding._studies.batches import DONE
+from pounding._studies.plan import make_plan
+from pounding._studies.study import run_plan
 from study_samples import WORDS, pair
 from messages import assert_mentions, raises
 
@@ -162,7 +162,7 @@ class Bare(unittest.TestCase):
         from contextlib import redirect_stderr, redirect_stdout
         from io import StringIO
 
-        from pounding.studies import command
+        from pounding._studies import command
 
         with tempfile.TemporaryDirectory() as folder:
             run_plan(make_plan(pair(), {**WORDS, "keep": ["acceleration"]}, Path()), Path(folder) / "s.h5", workers=0)

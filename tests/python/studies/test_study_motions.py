@@ -9,9 +9,9 @@ import numpy as np
 
 import pounding
 from pounding.errors import InputError
-from pounding.studies.plan import make_plan
-from pounding.studies.sources import partners
-from pounding.studies.study import run_plan
+from pounding._studies.plan import make_plan
+from pounding._studies.sources import partners
+from pounding._studies.study import run_plan
 from study_samples import bents, blocks, pair, write_records
 from messages import assert_mentions
 

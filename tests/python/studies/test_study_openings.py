@@ -5,9 +5,9 @@ from pathlib import Path
 
 import pounding
 from pounding.errors import InputError
-from pounding.studies.batches import DONE
-from pounding.studies.plan import make_plan
-from pounding.studies.study import run_plan
+from pounding._studies.batches import DONE
+from pounding._studies.plan import make_plan
+from pounding._studies.study import run_plan
 from messages import raises
 
 

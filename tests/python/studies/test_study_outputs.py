@@ -18,13 +18,13 @@ from pathlib import Path
 import numpy as np
 
 import pounding
-from pounding.ended import exit_code
+from pounding._ended import exit_code
 from pounding.errors import InputError
-from pounding.studies.batches import DIED, DONE, FAILED, NOT_RUN, Done
-from pounding.studies.command import main
-from pounding.studies.plan import make_plan
-from pounding.studies.study import run_plan
-from pounding.studies.table import Table
+from pounding._studies.batches import DIED, DONE, FAILED, NOT_RUN, Done
+from pounding._studies.command import main
+from pounding._studies.plan import make_plan
+from pounding._studies.study import run_plan
+from pounding._studies.table import Table
 from study_samples import FACTORS, WORDS, pair
 from messages import assert_mentions, raises
 
@@ -51,8 +51,8 @@ class Files(unittest.TestCase):
         self.addCleanup(os.chdir, os.getcwd())
         os.chdir(self.folder)
         (self.folder / "pair.yaml").write_text(pair().to_yaml())
-        words = pounding.yaml_text.plain({"factors": FACTORS, **WORDS})
-        (self.folder / "study.yaml").write_text(pounding.yaml_text.emit({"model": "pair.yaml", "study": words}))
+        words = pounding._yaml_text.plain({"factors": FACTORS, **WORDS})
+        (self.folder / "study.yaml").write_text(pounding._yaml_text.emit({"model": "pair.yaml", "study": words}))
 
     def study(self, *words, **options):
         return subprocess.run(
@@ -349,7 +349,7 @@ class Words(Files):
             "records": {"synthetic": {"count": 1000, "duration": "0.4 s", "pga": "0.1 g"}},
         }
         (self.folder / "huge.yaml").write_text(
-            pounding.yaml_text.emit({"model": "pair.yaml", "study": pounding.yaml_text.plain(words)})
+            pounding._yaml_text.emit({"model": "pair.yaml", "study": pounding._yaml_text.plain(words)})
         )
         for verb in ("check", "run"):
             begin = time.monotonic()

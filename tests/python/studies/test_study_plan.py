@@ -12,10 +12,10 @@ from scipy import stats
 import mutate_plans
 import pounding
 from pounding.errors import InputError
-from pounding.records import data_folder
-from pounding.studies.distributions import read_distribution
-from pounding.studies.plan import make_plan, read_plan
-from pounding.studies.study import run_plan
+from pounding._records import data_folder
+from pounding._studies.distributions import read_distribution
+from pounding._studies.plan import make_plan, read_plan
+from pounding._studies.study import run_plan
 from study_samples import FACTORS, WORDS, pair
 from messages import assert_mentions, raises
 

@@ -9,8 +9,8 @@ from scipy.linalg import solve_continuous_lyapunov
 from scipy.stats import binomtest, norm
 
 from pounding.errors import InputError
-from pounding.studies import gaps, percentiles
-from pounding.studies.fragility import fit, of_rows
+from pounding._studies import gaps, percentiles
+from pounding._studies.fragility import fit, of_rows
 from messages import assert_mentions
 
 
@@ -158,11 +158,11 @@ class Gaps(unittest.TestCase):
 @unittest.skipUnless(importlib.util.find_spec("SALib"), "SALib is not installed")
 class Indices(unittest.TestCase):
     def test_a_linear_model_has_the_indices_of_its_variances(self):
-        from pounding.studies.indices import sobol_indices
-        from pounding.studies.study import Study
+        from pounding._studies.indices import sobol_indices
+        from pounding._studies.study import Study
 
         from SALib.sample import sobol
-        from pounding.studies.sampling import saltelli_problem
+        from pounding._studies.sampling import saltelli_problem
 
         sample = sobol.sample(saltelli_problem(3), 1024, calc_second_order=False, seed=1)
         values = sample @ [1.0, 2, 3]

@@ -19,13 +19,13 @@ import numpy as np
 
 import pounding
 from pounding._native import core
-from pounding.checked_file import NotResults
+from pounding._checked_file import NotResults
 from pounding.errors import InputError, SolverError
-from pounding.studies.batches import DIED, DONE, EXCEEDED, FAILED
-from pounding.studies.execution import run_rows
-from pounding.studies.plan import make_plan
-from pounding.studies.study import run_plan
-from pounding.studies.table import Table
+from pounding._studies.batches import DIED, DONE, EXCEEDED, FAILED
+from pounding._studies.execution import run_rows
+from pounding._studies.plan import make_plan
+from pounding._studies.study import run_plan
+from pounding._studies.table import Table
 from study_samples import FACTORS, WORDS, Deadly, pair
 from messages import assert_mentions, raises
 
@@ -52,8 +52,8 @@ class Rows(unittest.TestCase):
 
     def write_study(self, engine="auto"):
         (self.folder / "pair.yaml").write_text(pair().to_yaml())
-        words = pounding.yaml_text.plain({"factors": FACTORS, **WORDS, "engine": engine})
-        (self.folder / "study.yaml").write_text(pounding.yaml_text.emit({"model": "pair.yaml", "study": words}))
+        words = pounding._yaml_text.plain({"factors": FACTORS, **WORDS, "engine": engine})
+        (self.folder / "study.yaml").write_text(pounding._yaml_text.emit({"model": "pair.yaml", "study": words}))
         return self.folder / "study.yaml"
 
     def command(self, *words, **options):

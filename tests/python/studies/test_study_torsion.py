@@ -7,8 +7,8 @@ import numpy as np
 
 import pounding
 from pounding.errors import InputError
-from pounding.studies.plan import make_plan
-from pounding.studies.study import run_plan
+from pounding._studies.plan import make_plan
+from pounding._studies.study import run_plan
 from messages import raises
 
 

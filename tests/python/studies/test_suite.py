@@ -11,12 +11,12 @@ import numpy as np
 from scipy.integrate import solve_ivp
 
 import pounding
-from pounding import yaml_text
+from pounding import _yaml_text as yaml_text
 from pounding.errors import ImplausibleWarning, InputError
-from pounding.studies.scaling import rotd100
-from pounding.studies.suite import Suite
-from pounding.studies.suite_data import Statistics
-from pounding.studies.target_spectra import asce7, en1998
+from pounding._studies.scaling import rotd100
+from pounding._studies.suite import Suite
+from pounding._studies.suite_data import Statistics
+from pounding._studies.target_spectra import asce7, en1998
 from messages import assert_mentions, raises
 from study_samples import bents, pair, write_records
 

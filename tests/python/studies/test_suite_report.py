@@ -13,14 +13,14 @@ from pathlib import Path
 import numpy as np
 
 import pounding
-from pounding import yaml_text
+from pounding import _yaml_text as yaml_text
 from pounding.errors import InputError
-from pounding.report.html_page import html_page
-from pounding.report.pdf_pages import page_figures
-from pounding.report.suite_content import report_of_suite
-from pounding.studies.batches import FAILED
-from pounding.studies.suite import Suite
-from pounding.studies.suite_report import summary
+from pounding._report.html_page import html_page
+from pounding._report.pdf_pages import page_figures
+from pounding._report.suite_content import report_of_suite
+from pounding._studies.batches import FAILED
+from pounding._studies.suite import Suite
+from pounding._studies.suite_report import summary
 from messages import assert_mentions, raises
 from study_samples import bents, pair, write_records
 
@@ -275,7 +275,7 @@ class Command(Folder):
     def test_writes_the_same_report_as_the_table(self):
         done = self.command(self.file(), "-o", "s.h5", "-j", "0", "--report", "one.html")
         assert_mentions(done.stdout, ["one.html", "s.h5"])
-        self.command("s.h5", "-o", "two.html", module=["pounding.report"])
+        self.command("s.h5", "-o", "two.html", module=["pounding._report"])
         first = (self.folder / "one.html").read_bytes()
         self.assertEqual((self.folder / "two.html").read_bytes(), first)
         program = [os.environ["POUNDING_PROGRAM"], "report", "s.h5"]
@@ -319,7 +319,7 @@ class Command(Folder):
             pair(), {"gap": {"of": "links.*.gap", "list": ["1 mm"]}}, output=self.folder / "study.h5", workers=0
         )
         self.assertEqual(len(study), 1)
-        done = self.command("study.h5", "-o", "report.pdf", module=["pounding.report"], code=2)
+        done = self.command("study.h5", "-o", "report.pdf", module=["pounding._report"], code=2)
         assert_mentions(done.stderr, ["study.h5", "table of a study", "pounding study show"])
         self.assertFalse((self.folder / "report.pdf").exists())
         with raises(InputError, [".docx", ".pdf"]):

@@ -1,0 +1,1 @@
+"""The page that `pounding reproduce` writes. Private; use `pounding._reproduce`."""

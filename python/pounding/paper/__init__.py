@@ -1,1 +1,0 @@
-"""The page that `pounding reproduce` writes. Private; use `pounding.reproduce`."""

@@ -1,1 +1,0 @@
-"""Pictures of runs: panels, and the model at rest and in motion. Private; use `pounding.plots` and `Run.plot`."""
