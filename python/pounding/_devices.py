@@ -4,11 +4,10 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-import h5py
 import numpy as np
 
 from pounding import _printing as printing
-from pounding._texts import read_fields
+from pounding._data import Data, read_fields
 
 
 @dataclass(frozen=True, repr=False)
@@ -30,9 +29,11 @@ class Device(printing.ReportLines, lines=printing.device):
     largest: dict[str, np.ndarray]
 
 
-def read_devices(file: h5py.Group) -> dict[str, Device]:
+def read_devices(file: Data) -> dict[str, Device]:
     """The devices of a results file in the order of the input; empty if there are none."""
     return {
-        name: read_fields(Device, group, name=name, largest={key: data[:] for key, data in group["envelope"].items()})
-        for name, group in file.get("devices", {}).items()
+        name: read_fields(
+            Device, group, name=name, largest={key: data.values for key, data in group["envelope"].data_vars.items()}
+        )
+        for name, group in file.children.get("devices", {}).items()
     }

@@ -7,11 +7,10 @@ from __future__ import annotations
 from dataclasses import dataclass, field, fields
 from typing import Any
 
-import h5py
 import numpy as np
 
 from pounding import _printing as printing
-from pounding._texts import read_fields, text, texts
+from pounding._data import Data, read_fields
 
 #: Edges of a rigid floor in space in the order of `edge_displacement`: displacements along x at both ends of the plan
 #: along y, then along y.
@@ -113,37 +112,25 @@ class StructureEnvelope(printing.ReportLines, lines=printing.envelope):
         }
 
 
-def read_envelopes(file: h5py.Group) -> dict[str, StructureEnvelope]:
+def read_envelopes(file: Data) -> dict[str, StructureEnvelope]:
     """The envelopes of all structures in a results file, or in its group of the run without links; empty for files of
     version 0.1."""
     place = "envelopes/structures"
-    return {name: _envelope(name, group) for name, group in file[place].items()} if place in file else {}
+    return {name: _envelope(name, group) for name, group in file[place].children.items()} if place in file else {}
 
 
-def _envelope(name: str, group: h5py.Group) -> StructureEnvelope:
+def _envelope(name: str, group: Data) -> StructureEnvelope:
+    arrays = group.data_vars
     found: dict[str, Any] = {
-        one.name: Extremes(group[one.name][:], group[f"{one.name}_time"][:])
+        one.name: Extremes(arrays[one.name].values, arrays[f"{one.name}_time"].values)
         for one in fields(StructureEnvelope)
-        if one.type == "Extremes | None" and one.name in group
+        if one.type == "Extremes | None" and one.name in arrays
     }
-    return read_fields(
-        StructureEnvelope,
-        group,
-        name=name,
-        directions=_attribute(group, "displacement", "directions"),
-        components=_attribute(group, "member_force", "components"),
-        support_directions=_attribute(group, "reaction", "directions"),
-        **included(group.get("member_force", group.get("reaction"))),
-        **found,
-    )
-
-
-def included(forces: h5py.Dataset | None) -> dict[str, Any]:
-    """Fields with the contents of the forces of a frame; empty if the file does not state them."""
-    if forces is None or "gravity_included" not in forces.attrs:
-        return {}
-    return {"gravity_included": bool(forces.attrs["gravity_included"]), "included": text(forces.attrs["included"])}
-
-
-def _attribute(group: h5py.Group, quantity: str, name: str) -> list[str]:
-    return texts(group[quantity].attrs[name]) if quantity in group else []
+    # Attributes of several arrays have these names.
+    for field_, array, attribute in (
+        ("directions", "displacement", "directions"),
+        ("components", "member_force", "components"),
+        ("support_directions", "reaction", "directions"),
+    ):
+        found[field_] = arrays[array].attrs[attribute] if array in arrays else []
+    return read_fields(StructureEnvelope, group, name=name, **found)

@@ -63,7 +63,7 @@ class Run(RunData):
 
     def __getstate__(self) -> dict[str, Any]:
         self._load()
-        return self.__dict__
+        return super().__getstate__()
 
     @takes(picture=text, title=optional(text), size=optional(arguments.size), compare=optional(flag))
     def plot(

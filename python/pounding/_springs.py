@@ -6,11 +6,10 @@ import re
 from dataclasses import dataclass
 from typing import Any
 
-import h5py
 import numpy as np
 
 from pounding import _printing as printing
-from pounding._texts import read_fields, texts
+from pounding._data import Data, read_fields
 
 #: Names of storeys and hinges, and of isolators: all of a building, or one at a foot of a frame.
 _OF_MEMBERS = re.compile(r"storey \d+|.+ (start|end)( [yz])?")
@@ -66,17 +65,16 @@ class Springs(printing.ReportLines, lines=printing.springs):
         return self.names.index(name)
 
 
-def read_springs(structure: h5py.Group) -> Springs | None:
+def read_springs(structure: Data) -> Springs | None:
     """The yielding parts of a structure; None if it is elastic."""
-    if "springs" not in structure:
+    if "springs" not in structure.children:
         return None
     group = structure["springs"]
-    given: dict[str, Any] = {
-        "states": texts(group["summary/state"][:]),
-        "largest": {key: data[:] for key, data in group["summary"].items() if key != "state"},
-    }
+    largest = {key: data.values for key, data in group["summary"].data_vars.items()}
+    given: dict[str, Any] = {"states": largest.pop("state").tolist(), "largest": largest}
+    # Files of earlier versions lack them.
     if "ultimate_rotation" not in group:
-        given["ultimate_rotation"] = np.full(len(group["names"]), np.nan)
+        given["ultimate_rotation"] = np.full(group["names"].shape, np.nan)
     if "negative_yield_deformation" not in group:
-        given["negative_yield_deformation"] = group["yield_deformation"][:]
+        given["negative_yield_deformation"] = group["yield_deformation"].values
     return read_fields(Springs, group, **given)

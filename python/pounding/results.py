@@ -5,10 +5,12 @@ from __future__ import annotations
 import json
 import math
 import shutil
+from collections.abc import Mapping
 from dataclasses import dataclass, field
+from functools import cached_property
 from os import PathLike
 from pathlib import Path
-from typing import Any, TypeVar
+from typing import TYPE_CHECKING, Any, TypeVar
 
 import h5py
 import numpy as np
@@ -16,16 +18,21 @@ import numpy as np
 from pounding import _arguments as arguments
 from pounding import _printing as printing
 from pounding._arguments import takes
-from pounding._checked_file import RESULTS, HoldsPushover, NotResults, require_whole, require_whole_image
+from pounding._checked_file import BLOCK, RESULTS, HoldsPushover, NotResults, require_whole, require_whole_image
 from pounding._comparison import worst
+from pounding._data import Data, DataArray, read_fields, to_datatree
 from pounding._devices import Device, read_devices
-from pounding._envelopes import Extremes, StructureEnvelope, included, read_envelopes, section_signs
+from pounding._envelopes import Extremes, StructureEnvelope, read_envelopes, section_signs
 from pounding._outputs import replaced
 from pounding._springs import Springs, read_springs
-from pounding._texts import read_fields, text, texts
 from pounding.errors import InputError, excerpt
 
+if TYPE_CHECKING:
+    import xarray
+
 __all__ = [
+    "Data",
+    "DataArray",
     "Device",
     "Extremes",
     "FloorMotion",
@@ -42,7 +49,7 @@ __all__ = [
     "worst",
 ]
 
-Data = TypeVar("Data", bound="RunData")
+Contents = TypeVar("Contents", bound="RunData")
 
 
 @dataclass(frozen=True, repr=False)
@@ -274,10 +281,12 @@ class RunData(printing.ReportLines, lines=printing.run):
     version: str = ""  #: of the program; empty if not known
     #: The complete run without links (`compare: no_pounding`), with the same source; None if it was not requested.
     no_pounding: RunData | None = field(default_factory=lambda: None)
+    group: str = "/"  #: group of the file with this run
+    header: bytes = b""  #: first bytes of the file, with its checksum
 
     @classmethod
     @takes(path=arguments.file, checked=arguments.flag)
-    def read(cls: type[Data], path: str | PathLike[str], *, checked: bool = True) -> Data:
+    def read(cls: type[Contents], path: str | PathLike[str], *, checked: bool = True) -> Contents:
         """The results in the file `path`, after a check of the checksum.
 
         `checked=False` skips the check, for files from an earlier version or with additions; HDF5 may hang on a damaged
@@ -290,7 +299,7 @@ class RunData(printing.ReportLines, lines=printing.run):
             return cls._of(file, str(path), Path(path))
 
     @classmethod
-    def from_image(cls: type[Data], image: bytes) -> Data:
+    def from_image(cls: type[Contents], image: bytes) -> Contents:
         """The results in the bytes of a results file. Raises NotResults."""
         if not isinstance(image, bytes):
             raise arguments.refuse("image", "the bytes of a results file", image)
@@ -299,17 +308,51 @@ class RunData(printing.ReportLines, lines=printing.run):
             return cls._of(file, "what was given", image)
 
     @classmethod
-    def _of(cls: type[Data], file: h5py.File, name: str, source: Path | bytes) -> Data:
-        if "pushover" in file and "structures" not in file:
+    def _of(cls: type[Contents], file: h5py.File, name: str, source: Path | bytes) -> Contents:
+        data = Data(file)
+        if "pushover" in data and "structures" not in data:
             raise HoldsPushover(f"{name} holds a pushover and no run; pounding.read_pushover reads it")
+        given: dict[str, Any] = {"source": source, "header": _header(source)}
         # An unchecked file may lack datasets or have other types.
         try:
-            without = None
-            if "no_pounding" in file:
-                without = cls(**_contents(file["no_pounding"]), source=source)
-            return cls(**_contents(file), source=source, no_pounding=without)
+            if "no_pounding" in data:
+                without = cls(**_contents(data["no_pounding"]), **given, group="/no_pounding")
+                return cls(**_contents(data), **given, no_pounding=without)
+            return cls(**_contents(data), **given)
         except Exception as error:
             raise NotResults(f"{name} is not a results file of pounding: {error}") from error
+
+    @cached_property
+    def data(self) -> xarray.DataTree | Data:
+        """All groups and arrays of the file, with named dimensions, coordinates, `units` and `long_name` from the file.
+
+        A tree of xarray, or without xarray an object with the same basic access. Arrays are read when their values are
+        used, and the file stays open.
+
+        Raises
+        ------
+        NotResults
+            The file has changed since it was read.
+
+        Examples
+        --------
+        >>> results.data["links/left-right/force"].attrs["units"]
+        'N'
+        >>> results.data["structures/left/displacement"].dims
+        ('time', 'floor', 'direction')
+        """
+        name = "what was given" if isinstance(self.source, bytes) else str(self.source)
+        if _header(self.source) != self.header:
+            raise NotResults(f'{name} has changed since it was read; read it again: pounding.read("{name}")')
+        data = Data(_opened(self.source, name)[self.group])
+        try:
+            return to_datatree(data)
+        except ModuleNotFoundError:
+            return data
+
+    def __getstate__(self) -> dict[str, Any]:
+        # An open file cannot be copied.
+        return {name: value for name, value in vars(self).items() if name != "data"}
 
     @takes(link=arguments.text)
     def impacts_of(self, link: str) -> np.ndarray:
@@ -328,6 +371,13 @@ class RunData(printing.ReportLines, lines=printing.run):
                 shutil.copyfile(self.source, temporary)
 
 
+def _header(source: Path | bytes) -> bytes:
+    if isinstance(source, bytes):
+        return source[:BLOCK]
+    with open(source, "rb") as file:
+        return file.read(BLOCK)
+
+
 def _opened(source: str | PathLike[str] | bytes, name: str) -> h5py.File:
     """The HDF5 file, open for reading. Raises NotResults if it is not HDF5, OSError if it cannot be opened."""
     try:
@@ -338,61 +388,62 @@ def _opened(source: str | PathLike[str] | bytes, name: str) -> h5py.File:
         raise NotResults(f"{name} is not a results file of pounding: {error}") from error
 
 
-def _contents(file: h5py.Group) -> dict[str, Any]:
-    """The fields of RunData except `source` and `no_pounding`."""
+def _contents(file: Data) -> dict[str, Any]:
+    """The fields of RunData except those of the file."""
+
+    def given(path: str) -> str:
+        return str(file[path].values) if path in file else ""
+
+    solver, reduction = ({}, {}) if "solver" not in file else (file["solver"].data_vars, file["solver"].children)
+    axes = {axis: f"ground/acceleration_{axis}" for axis in "yz"}
     return {
-        "title": text(file.attrs["title"]),
-        "status": text(file.attrs["status"]),
-        "created": text(file.attrs.get("created", "")),
-        "version": text(file.attrs.get("version", "")),
-        "time": file["time"][:],
-        "ground_acceleration": file["ground/acceleration"][:],
-        "ground_across": {
-            axis: file[f"ground/acceleration_{axis}"][:] for axis in "yz" if f"ground/acceleration_{axis}" in file
-        },
-        "structures": {name: _structure(name, group) for name, group in file["structures"].items()},
-        "links": {name: _link(name, group) for name, group in file["links"].items()},
-        "impacts": _with_text(file["impacts"][:]),
-        "energy": {name: data[:] for name, data in file["energy"].items()},
-        "summary": json.loads(text(file["summary"][()]) or "{}"),
-        "solver": {name: data[()] for name, data in file.get("solver", {}).items() if isinstance(data, h5py.Dataset)},
+        **{key: file.attrs[key] for key in ("title", "status")},
+        **{key: file.attrs.get(key, "") for key in ("created", "version")},
+        "time": file["time" if "time" in file else "ground/time"].values,
+        "ground_acceleration": file["ground/acceleration"].values,
+        "ground_across": {axis: file[path].values for axis, path in axes.items() if path in file},
+        "structures": {name: _structure(name, group) for name, group in file["structures"].children.items()},
+        "links": {name: _link(name, group) for name, group in file["links"].children.items()},
+        "impacts": _rows(file["impacts"].data_vars),
+        "energy": {name: data.values for name, data in {**file["energy"].coords, **file["energy"].data_vars}.items()},
+        "summary": json.loads(given("summary") or "{}"),
+        "solver": {name: data.values[()] for name, data in solver.items()},
         "reduction": {
-            name: {key: data[()] for key, data in group.items()}
-            for name, group in file.get("solver/reduction", {}).items()
+            name: {key: data.values[()] for key, data in group.data_vars.items()}
+            for name, group in (reduction["reduction"].children if "reduction" in reduction else {}).items()
         },
-        "model_yaml": text(file["input/model.yaml"][()]) if "input/model.yaml" in file else "",
-        "resolved_yaml": text(file["input/resolved.yaml"][()]) if "input/resolved.yaml" in file else "",
+        "model_yaml": given("input/model.yaml"),
+        "resolved_yaml": given("input/resolved.yaml"),
         "envelopes": read_envelopes(file),
         "devices": read_devices(file),
     }
 
 
-def _with_text(rows: np.ndarray) -> np.ndarray:
-    """A structured array with str columns instead of bytes."""
-    columns = {name: rows[name] for name in rows.dtype.names or ()}
-    columns = {
-        name: np.array(texts(values), dtype=str) if values.dtype.kind in "SO" else values
-        for name, values in columns.items()
-    }
-    table = np.empty(rows.shape, dtype=[(name, values.dtype) for name, values in columns.items()])
-    for name, values in columns.items():
-        table[name] = values
+def _rows(columns: Mapping[str, DataArray]) -> np.ndarray:
+    """A structured array of these columns."""
+    values = {name: column.values for name, column in columns.items()}
+    table = np.empty(len(values["link"]), dtype=[(name, each.dtype) for name, each in values.items()])
+    for name, each in values.items():
+        table[name] = each
     return table
 
 
-def _structure(name: str, group: h5py.Group) -> Structure:
-    floors = texts(group.attrs["floors"])
-    directions = texts(group.attrs.get("directions", ["x"]))
+def _structure(name: str, group: Data) -> Structure:
+    floors = group.attrs["floors"] or []
+    directions = group.attrs.get("directions", ["x"])
     elevations = group.attrs["elevations"] if floors and "elevations" in group.attrs else np.full(len(floors), np.nan)
-    parts = {
-        key: read(group[key])
-        for key, read in (("geometry", _geometry), ("nodes", _nodes), ("members", _members), ("reactions", _reactions))
-        if key in group
-    }
+    kinds: dict[str, Any] = {"nodes": NodeMotion, "members": MemberForces, "reactions": Reactions}
+    parts = {key: read_fields(kind, group[key]) for key, kind in kinds.items() if key in group}
+    if "geometry" in group:
+        frame = group["geometry"]
+        indices = {name: frame[name].values.astype(int) for name in ("members", "floor_of_node")}
+        indices["members"] = indices["members"].reshape(-1, 2)
+        parts["geometry"] = read_fields(Geometry, frame, **indices)
     return read_fields(
         Structure,
         group,
         name=name,
+        floors=floors,
         along={direction: _floor_motion(group, i) for i, direction in enumerate(directions)},
         elevations=np.asarray(elevations, dtype=float),
         springs=read_springs(group),
@@ -400,42 +451,24 @@ def _structure(name: str, group: h5py.Group) -> Structure:
     )
 
 
-def _floor_motion(group: h5py.Group, i: int) -> FloorMotion:
+def _floor_motion(group: Data, i: int) -> FloorMotion:
     """The motion along direction i of the last axis. Drift and shear have that axis in space only, for x and y."""
     motion = {key: group[key][:, :, i] for key in ("displacement", "velocity", "acceleration")}
     for key in ("drift", "storey_shear"):
-        values = group[key][:]
-        if values.ndim == 2:
-            values = values[:, :, None]
-        motion[key] = values[:, :, i] if i < values.shape[2] else np.empty((len(values), 0))
-    base = group["base_shear"][:] if "base_shear" in group else np.empty((0, 0))
-    return FloorMotion(**motion, base_shear=base[:, i] if i < base.shape[1] else None)
+        values = group[key]
+        if len(values.shape) == 2:
+            motion[key] = values[:] if i == 0 else np.empty((len(values), 0))
+        else:
+            motion[key] = values[:, :, i] if i < values.shape[2] else np.empty((len(values), 0))
+    base = group.get("base_shear")
+    return FloorMotion(**motion, base_shear=base[:, i] if base is not None and i < base.shape[1] else None)
 
 
-def _geometry(group: h5py.Group) -> Geometry:
-    members = group["members"][:].astype(int).reshape(-1, 2)
-    return read_fields(Geometry, group, members=members, floor_of_node=group["floor_of_node"][:].astype(int))
-
-
-def _nodes(group: h5py.Group) -> NodeMotion:
-    return read_fields(NodeMotion, group, directions=texts(group["displacement"].attrs["directions"]))
-
-
-def _members(group: h5py.Group) -> MemberForces:
-    forces = group["end_forces"]
-    return read_fields(MemberForces, group, components=texts(forces.attrs["components"]), **included(forces))
-
-
-def _reactions(group: h5py.Group) -> Reactions:
-    force = group["force"]
-    return read_fields(Reactions, group, directions=texts(force.attrs["directions"]), **included(force))
-
-
-def _link(name: str, group: h5py.Group) -> Link:
+def _link(name: str, group: Data) -> Link:
     ends = {}
     for side in ("left", "right"):
         if f"{side}_end" not in group.attrs:
-            floor = int(group.attrs[f"{side}_floor"])
+            floor = group.attrs[f"{side}_floor"]
             ends[f"{side}_end"] = f"floor {floor}" if floor else ""
     # NaN: the structures have no position.
     position = np.asarray(group.attrs.get("position", np.full(3, np.nan)), dtype=float)
