@@ -125,8 +125,8 @@ class Threads : public testing::TestWithParam<Case> {};
 
 TEST_P(Threads, RunOneModelWithIdenticalResults) {
   const Option solver("-pounding_ts_pounding_base", GetParam().solver);
+  const Model model = test::model_of(GetParam().yaml);
   const auto run_model = [&](const std::string& output) {
-    const Model model = test::model_of(GetParam().yaml);
     return histories_of(run(model, {.comm = PETSC_COMM_SELF, .output = output}));
   };
   const Histories alone = run_model("");

@@ -153,7 +153,7 @@ TEST(Driver, RemembersTheStepsOfContactsApart) {
 // Rejects every step.
 struct Impatient : StepSizePolicy {
   int rejected = 0;
-  Verdict judge(const Stepper&, double step) override { return {false, 0.9 * step}; }
+  Verdict judge(const StepView&, double step) override { return {false, 0.9 * step}; }
   std::string on_reject() override { return ++rejected == 3 ? "three are sufficient" : ""; }
 };
 
@@ -186,7 +186,7 @@ TEST(Driver, StopsWithTheReasonOfThePolicy) {
 }
 
 struct Never : StepSizePolicy {
-  Verdict judge(const Stepper&, double step) override { return {false, step / 2}; }
+  Verdict judge(const StepView&, double step) override { return {false, step / 2}; }
 };
 
 TEST(Driver, StopsWhereNoStepIsShortEnough) {

@@ -31,7 +31,7 @@ class StepSizePolicy {
 class FixedSteps final : public StepSizePolicy {
  public:
   bool fixed() const override { return true; }
-  Verdict judge(const Stepper&, double step) override { return {true, step}; }
+  Verdict judge(const StepView&, double step) override { return {true, step}; }
 };
 
 /// The next step is 0.9 times the step with the allowed error, or 0.45 times after a rejection. It lies between 0.1 and
