@@ -1,13 +1,14 @@
 #pragma once
-/// Link forces inside a step; columns of histories that grow independently of the output times, and their truncation.
+/// Link forces inside a step; truncation of histories that grow independently of the output times.
 
-#include <array>
 #include <cstddef>
 #include <stdexcept>
+#include <string_view>
 #include <vector>
 
 #include <pounding/core/archive.hpp>
 #include <pounding/results/results.hpp>
+#include <pounding/results/tables.hpp>
 #include <pounding/stepping/dense_output.hpp>
 #include <pounding/stepping/links/link_set.hpp>
 
@@ -35,27 +36,15 @@ double shear_by_devices(const Floor& floor, const ForceOf& force) {
   return sum;
 }
 
-inline std::array<std::vector<double>*, 5> columns(LinkHistory& h) {
-  return {&h.time, &h.penetration, &h.velocity, &h.force, &h.energy};
-}
-
-inline std::array<std::vector<double>*, 9> columns(EnergyHistory& e) {
-  return {&e.time, &e.input, &e.kinetic, &e.strain, &e.damping, &e.hysteretic, &e.impact, &e.devices, &e.error};
-}
-
-/// Truncates every column of a history to a length.
-template <class History>
-void cut_columns(History& history, std::size_t length) {
-  for (std::vector<double>* values : columns(history)) values->resize(length);
-}
-
-/// Writes the length of a history; reading truncates the history to it. Throws std::runtime_error if it is shorter.
-template <class History>
-void archive_length(Archive& archive, History& history) {
-  std::size_t length = history.time.size();
+/// Writes the length of the histories of an object over the time of a group, or truncates them to it when reading.
+/// Throws std::runtime_error if they are shorter.
+template <class T>
+void archive_length(Archive& archive, const tables::Table<T>& table, T& object, std::string_view group,
+                    const std::vector<double>& time) {
+  std::size_t length = time.size();
   archive(length);
-  if (length > history.time.size()) throw std::runtime_error("a history is shorter than it was");
-  cut_columns(history, length);
+  if (length > time.size()) throw std::runtime_error("a history is shorter than it was");
+  tables::cut_histories(table, object, group, length);
 }
 
 }  // namespace pounding

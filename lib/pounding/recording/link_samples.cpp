@@ -63,11 +63,6 @@ void append(std::span<const LinkSample> samples, LinkHistory& history) {
 
 void append(const LinkSample& sample, LinkHistory& history) { append(std::span(&sample, 1), history); }
 
-void cut(LinkHistory& history, std::size_t length) {
-  cut_columns(history, length);
-  history.friction.resize(length * history.tangents);
-}
-
 }  // namespace
 
 // A step of a link in contact, from which interior samples are taken.
@@ -257,15 +252,13 @@ void LinkSamples::show_unfinished() {
 }
 
 void LinkSamples::hide_unfinished() {
-  for (std::size_t i = 0; i < impacts_.size(); ++i) cut(histories_[i], lengths_[i]);
+  for (std::size_t i = 0; i < impacts_.size(); ++i)
+    tables::cut_histories(tables::of_link, histories_[i], "", lengths_[i]);
 }
 
 void LinkSamples::archive(Archive& archive) {
   archive(impacts_, openings_, gaps_);
-  for (LinkHistory& history : histories_) {
-    archive_length(archive, history);
-    history.friction.resize(history.time.size() * history.tangents);
-  }
+  for (LinkHistory& history : histories_) archive_length(archive, tables::of_link, history, "", history.time);
 }
 
 }  // namespace pounding

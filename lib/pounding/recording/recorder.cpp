@@ -136,7 +136,7 @@ void Recorder::archive(Archive& archive) {
   devices_.archive(archive);
   springs_.archive(archive);
   archive(max_input_, max_imbalance_);
-  archive_length(archive, results_.energy);
+  archive_length(archive, tables::of_results, results_, "energy", results_.energy.time);
 }
 
 int Recorder::impacts() const {
@@ -177,9 +177,14 @@ void Recorder::summarize(Summary& summary) const {
   summary.impacts = impacts_in_order();
   const EnergyHistory& e = results_.energy;
   if (e.time.empty()) return;
-  summary.energy = {
-      e.input.back(),      e.kinetic.back(), e.strain.back(),  e.damping.back(),
-      e.hysteretic.back(), e.impact.back(),  e.devices.back(), max_input_ > 0 ? max_imbalance_ / max_input_ : 0};
+  summary.energy = {e.input.back(),
+                    e.kinetic.back(),
+                    e.strain.back(),
+                    e.damping.back(),
+                    e.hysteretic.back(),
+                    e.impact.back(),
+                    results_.has_devices() ? e.devices.back() : 0,
+                    max_input_ > 0 ? max_imbalance_ / max_input_ : 0};
 }
 
 }  // namespace pounding

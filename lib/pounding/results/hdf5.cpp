@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -66,11 +67,6 @@ Handle chunked(hid_t parent, const char* name, hid_t type, const std::vector<hsi
   return dataset(parent, name, type, space, creation, data);
 }
 
-void describe(hid_t object, const Label& label) {
-  attribute(object, "units", std::string(label.units));
-  attribute(object, "long_name", std::string(label.long_name));
-}
-
 }  // namespace
 
 hid_t checked(hid_t status, std::string_view action) {
@@ -112,7 +108,7 @@ struct PaddedTexts {
   /// HDF5 does not accept a null pointer for an empty list.
   const void* data() const { return bytes.empty() ? nullptr : bytes.data(); }
 
-  std::size_t size = 1;
+  std::size_t size = 2;  ///< at least 2: xarray joins a list of single letters to one text
   std::string bytes;
 };
 
@@ -142,47 +138,117 @@ void attribute(hid_t object, const char* name, const std::vector<double>& values
   write_attribute(object, name, H5T_NATIVE_DOUBLE, dataspace({values.size()}), values.data());
 }
 
-Handle integers(hid_t parent, const Label& label, const std::vector<int>& values, const std::vector<hsize_t>& shape) {
-  Handle made = chunked(parent, label.name, H5T_NATIVE_INT, shape, values.data());
-  describe(made, label);
+namespace {
+
+Handle described(Handle made, const Label& label) {
+  attribute(made, "units", std::string(label.units));
+  attribute(made, "long_name", std::string(label.long_name));
   return made;
 }
 
-void texts(hid_t parent, const char* name, const char* long_name, const std::vector<std::string>& values) {
+// A contiguous dataset.
+Handle plain(hid_t parent, const Label& label, hid_t type, const Shape& shape, const void* values) {
+  return described(dataset(parent, label.name, type, dataspace(shape), H5P_DEFAULT, values), label);
+}
+
+// The attributes that H5DSset_scale() writes.
+Scale make_scale(hid_t parent, const char* name, const std::string& label) {
+  const Handle made(H5Dopen2(parent, name, H5P_DEFAULT), H5Dclose, "open dataset ", name);
+  const auto text = [&](const char* key, const std::string& value) {
+    const Handle type(H5Tcopy(H5T_C_S1), H5Tclose, "create a string type");
+    checked(H5Tset_size(type, value.size() + 1), "set the size of a string type");
+    write_attribute(made, key, type, dataspace({}), value.c_str());
+  };
+  text("CLASS", "DIMENSION_SCALE");
+  text("NAME", label);
+  Scale scale{};
+  checked(H5Rcreate(&scale.reference, parent, name, H5R_OBJECT, -1), std::string("refer to dataset ") + name);
+  const Handle space(H5Dget_space(made), H5Sclose, "get the size of dataset ", name);
+  scale.size = static_cast<hsize_t>(checked(H5Sget_simple_extent_npoints(space), "get the size of a dimension"));
+  return scale;
+}
+
+}  // namespace
+
+Handle write(hid_t parent, const Label& label, const Shape& shape, const std::vector<double>& values) {
+  return described(chunked(parent, label.name, H5T_NATIVE_DOUBLE, shape, values.data()), label);
+}
+
+Handle write(hid_t parent, const Label& label, const Shape& shape, const std::vector<int>& values) {
+  return described(chunked(parent, label.name, H5T_NATIVE_INT, shape, values.data()), label);
+}
+
+Handle write(hid_t parent, const Label& label, const Shape& shape, const std::vector<std::byte>& values) {
+  return described(chunked(parent, label.name, H5T_NATIVE_UINT8, shape, values.data()), label);
+}
+
+Handle write(hid_t parent, const Label& label, const Shape& shape, const std::vector<std::string>& values) {
   const PaddedTexts texts(values);
-  describe(dataset(parent, name, text_type(texts.size), dataspace({values.size()}), H5P_DEFAULT, texts.data()),
-           {name, "text", long_name});
+  return plain(parent, label, text_type(texts.size), shape, texts.data());
 }
 
-Handle array(hid_t parent, const Label& label, const std::vector<double>& values, const std::vector<hsize_t>& shape) {
-  Handle made = chunked(parent, label.name, H5T_NATIVE_DOUBLE, shape, values.data());
-  describe(made, label);
-  return made;
+Handle write(hid_t parent, const Label& label, const Shape& scalar, double value) {
+  return plain(parent, label, H5T_NATIVE_DOUBLE, scalar, &value);
 }
 
-void text(hid_t parent, const char* name, const char* long_name, const std::string& value) {
-  const char* const data = value.empty() ? nullptr : value.data();
-  describe(dataset(parent, name, text_type(value.size()), dataspace({}), H5P_DEFAULT, data), {name, "text", long_name});
+Handle write(hid_t parent, const Label& label, const Shape& scalar, long value) {
+  return plain(parent, label, H5T_NATIVE_LONG, scalar, &value);
 }
 
-void scalar(hid_t parent, const Label& label, long value) {
-  describe(dataset(parent, label.name, H5T_NATIVE_LONG, dataspace({}), H5P_DEFAULT, &value), label);
+Handle write(hid_t parent, const Label& label, const Shape& scalar, const std::string& value) {
+  return plain(parent, label, text_type(value.size()), scalar, value.empty() ? nullptr : value.data());
 }
 
-void scalar(hid_t parent, const Label& label, double value) {
-  describe(dataset(parent, label.name, H5T_NATIVE_DOUBLE, dataspace({}), H5P_DEFAULT, &value), label);
-}
-
-void table(hid_t parent, const char* name, const char* long_name, hid_t row_type, std::size_t rows, const void* data,
-           const std::vector<std::string>& units, const std::vector<std::string>& field_long_names) {
-  const Handle made = chunked(parent, name, row_type, {rows}, data);
+Handle table(hid_t parent, const char* name, const char* long_name, hid_t row_type, std::size_t rows, const void* data,
+             const std::vector<std::string>& units, const std::vector<std::string>& field_long_names) {
+  Handle made = chunked(parent, name, row_type, {rows}, data);
   attribute(made, "units", units);
   attribute(made, "long_name", std::string(long_name));
   attribute(made, "field_long_names", field_long_names);
+  return made;
 }
 
-void bytes(hid_t parent, const char* name, const char* long_name, const std::vector<std::byte>& values) {
-  describe(chunked(parent, name, H5T_NATIVE_UINT8, {values.size()}, values.data()), {name, "byte", long_name});
+// Readers of netCDF identify a dimension without coordinates by the first words.
+constexpr const char* without_coordinates = "This is a netCDF dimension but not a netCDF variable.";
+
+// Variable-length texts, which xarray returns as str.
+Scale scale(hid_t parent, const char* name, const std::vector<std::string>& labels) {
+  std::vector<const char*> pointers;
+  for (const std::string& label : labels) pointers.push_back(label.c_str());
+  plain(parent, {name, "text", "labels of the dimension"}, text_type(H5T_VARIABLE), {labels.size()},
+        labels.empty() ? nullptr : pointers.data());
+  Scale made = make_scale(parent, name, name);
+  made.labels = labels;
+  return made;
+}
+
+Scale scale(hid_t parent, const char* name, hsize_t size) {
+  plain(parent, {name, "1", "size of the dimension"}, H5T_IEEE_F32BE, {size}, nullptr);
+  return make_scale(parent, name, without_coordinates);
+}
+
+Scale make_scale(hid_t parent, const char* name) { return make_scale(parent, name, name); }
+
+void hide(hid_t parent, const char* name) { make_scale(parent, name, without_coordinates); }
+
+Handle reference_lists() {
+  return {H5Tvlen_create(H5T_STD_REF_OBJ), H5Tclose, "create the type of a list of references"};
+}
+
+void attach(hid_t array, std::vector<hobj_ref_t> scales) {
+  std::vector<hvl_t> lists;
+  for (hobj_ref_t& scale : scales) lists.push_back({1, &scale});
+  write_attribute(array, dimension_list, reference_lists(), dataspace({lists.size()}), lists.data());
+}
+
+void attach(hid_t array, const std::vector<const Scale*>& scales) {
+  if (scales.empty()) return;
+  std::vector<hobj_ref_t> references;
+  for (const Scale* scale : scales) {
+    references.push_back(scale->reference);
+    if (scale->attribute) attribute(array, scale->attribute, scale->labels);
+  }
+  attach(array, std::move(references));
 }
 
 }  // namespace pounding::hdf5

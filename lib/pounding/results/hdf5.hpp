@@ -6,8 +6,6 @@
 
 #include <cstddef>
 #include <functional>
-#include <set>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -88,32 +86,57 @@ struct Label {
   const char* long_name;
 };
 
-/// Throws std::invalid_argument unless a list of `what` has the expected length.
-inline void check_length(std::size_t length, std::size_t expected, const std::string& what) {
-  if (length != expected)
-    throw std::invalid_argument(what + " holds " + std::to_string(length) + " values; " + std::to_string(expected) +
-                                " are expected");
+/// Extents of an array, the slowest first; empty for a scalar. Any extent may be 0.
+using Shape = std::vector<hsize_t>;
+
+/// Writes a row-major array or a scalar. Texts have the unit "text"; attributes are too small for long lists of them.
+Handle write(hid_t parent, const Label& label, const Shape& shape, const std::vector<double>& values);
+Handle write(hid_t parent, const Label& label, const Shape& shape, const std::vector<int>& values);
+Handle write(hid_t parent, const Label& label, const Shape& shape, const std::vector<std::byte>& values);
+Handle write(hid_t parent, const Label& label, const Shape& shape, const std::vector<std::string>& values);
+Handle write(hid_t parent, const Label& label, const Shape& scalar, double value);
+Handle write(hid_t parent, const Label& label, const Shape& scalar, long value);
+Handle write(hid_t parent, const Label& label, const Shape& scalar, const std::string& value);
+
+/// Number of values.
+template <class Value>
+std::size_t count(const std::vector<Value>& values) {
+  return values.size();
+}
+template <class Value>
+std::size_t count(const Value&) {
+  return 1;
 }
 
-/// Writes a chunked array, time first, row-major; any extent may be 0.
-Handle array(hid_t parent, const Label& label, const std::vector<double>& values, const std::vector<hsize_t>& shape);
-Handle integers(hid_t parent, const Label& label, const std::vector<int>& values, const std::vector<hsize_t>& shape);
-/// Writes a list of texts with the unit "text"; attributes are too small for long lists.
-void texts(hid_t parent, const char* name, const char* long_name, const std::vector<std::string>& values);
-/// Writes one text with the unit "text".
-void text(hid_t parent, const char* name, const char* long_name, const std::string& value);
-void scalar(hid_t parent, const Label& label, long value);
-void scalar(hid_t parent, const Label& label, double value);
 /// Writes a chunked table of `rows` rows of a compound type, with one unit and one description per field, in order.
-void table(hid_t parent, const char* name, const char* long_name, hid_t row_type, std::size_t rows, const void* data,
-           const std::vector<std::string>& units, const std::vector<std::string>& field_long_names);
-/// Writes opaque bytes.
-void bytes(hid_t parent, const char* name, const char* long_name, const std::vector<std::byte>& values);
+Handle table(hid_t parent, const char* name, const char* long_name, hid_t row_type, std::size_t rows, const void* data,
+             const std::vector<std::string>& units, const std::vector<std::string>& field_long_names);
 
-/// Adds the content of a file image, including its attributes, as a group, except root members named in `but`.
-void add_file(hid_t file, const std::string& name, const FileImage& image, const std::set<std::string>& but = {});
-/// The content of a group as a file image: the inverse of add_file().
-FileImage group_image(hid_t file, const std::string& name);
+/// Dimension of arrays: its scale, a dataset whose name is that of the dimension.
+struct Scale {
+  hobj_ref_t reference = 0;
+  hsize_t size = 0;
+  std::vector<std::string> labels{};  ///< empty for numbers, and for a dimension without coordinates
+  const char* attribute = nullptr;    ///< attribute of arrays that repeats the labels; null for none
+};
+/// Writes the scale of a dimension with these labels, which are its coordinates, or of one without coordinates.
+Scale scale(hid_t parent, const char* name, const std::vector<std::string>& labels);
+Scale scale(hid_t parent, const char* name, hsize_t size);
+/// Makes a list in a group the coordinates of the dimension of its name.
+Scale make_scale(hid_t parent, const char* name);
+/// Hides a dataset from readers of netCDF, to which it is the size of a dimension.
+void hide(hid_t parent, const char* name);
+/// Names the dimensions of an array, as H5DSattach_scale(). Scales have no list of their arrays: it would exceed the 64
+/// kB of an attribute in large models, and no reader needs it.
+void attach(hid_t array, std::vector<hobj_ref_t> scales);
+/// Also writes the attributes of the scales; does nothing for a scalar.
+void attach(hid_t array, const std::vector<const Scale*>& scales);
+/// Name and type of the attribute that attach() writes.
+constexpr const char* dimension_list = "DIMENSION_LIST";
+Handle reference_lists();
+
+/// Copies a group to another file that has none of that name.
+void copy_group(hid_t from, hid_t to, const char* name);
 
 /// Opens a results file on disk for `read` and closes it afterwards. Throws InputError as require_whole().
 void open_file(const std::string& path, const std::function<void(hid_t file)>& read);

@@ -2,7 +2,9 @@
 
 #include <pounding/results/hdf5.hpp>
 
+#include <map>
 #include <stdexcept>
+#include <utility>
 
 #include <pounding/petsc/library_lock.hpp>
 #include <pounding/results/checked_file.hpp>
@@ -22,29 +24,43 @@ std::vector<std::string> members_of(hid_t group) {
   return names;
 }
 
-std::vector<std::string> attributes_of(hid_t object) {
-  std::vector<std::string> names;
-  checked(H5Aiterate2(object, H5_INDEX_NAME, H5_ITER_INC, nullptr, add_name<H5A_info_t>, &names), "list attributes");
-  return names;
-}
-
-// Copies all members of a group or root, and its attributes, which are texts.
-void copy_content(hid_t from, hid_t to, const std::set<std::string>& but) {
-  for (const std::string& name : attributes_of(from)) attribute(to, name.c_str(), read_attribute(from, name.c_str()));
-  for (const std::string& name : members_of(from))
-    if (!but.contains(name))
-      checked(H5Ocopy(from, name.c_str(), to, name.c_str(), H5P_DEFAULT, H5P_DEFAULT), "copy " + name);
+// References of a dataset to the scales of its dimensions; empty if it has none.
+std::vector<hobj_ref_t> scales_of(hid_t object) {
+  if (H5Aexists(object, dimension_list) <= 0) return {};
+  const Handle lists(H5Aopen(object, dimension_list, H5P_DEFAULT), H5Aclose, "open the list of dimensions");
+  const Handle space(H5Aget_space(lists), H5Sclose, "read the list of dimensions");
+  std::vector<hvl_t> read(static_cast<std::size_t>(H5Sget_simple_extent_npoints(space)));
+  checked(H5Aread(lists, reference_lists(), read.data()), "read the list of dimensions");
+  std::vector<hobj_ref_t> scales;
+  for (const hvl_t& list : read) scales.push_back(list.len > 0 ? *static_cast<const hobj_ref_t*>(list.p) : 0);
+  checked(H5Dvlen_reclaim(reference_lists(), space, H5P_DEFAULT, read.data()), "read the list of dimensions");
+  return scales;
 }
 
 }  // namespace
 
-void add_file(hid_t file, const std::string& name, const FileImage& image, const std::set<std::string>& but) {
-  open_image(image, [&](hid_t from) { copy_content(from, group(file, name), but); });
-}
-
-FileImage group_image(hid_t file, const std::string& name) {
-  const Handle from(H5Gopen2(file, name.c_str(), H5P_DEFAULT), H5Gclose, "open group ", name);
-  return file_image([&](hid_t to) { copy_content(from, to, {}); });
+void copy_group(hid_t from, hid_t to, const char* name) {
+  checked(H5Ocopy(from, name, to, name, H5P_DEFAULT, H5P_DEFAULT), std::string("copy ") + name);
+  const Handle source(H5Gopen2(from, name, H5P_DEFAULT), H5Gclose, "open group ", name),
+      copy(H5Gopen2(to, name, H5P_DEFAULT), H5Gclose, "open group ", name);
+  std::vector<std::string> places;
+  checked(H5Lvisit(source, H5_INDEX_NAME, H5_ITER_INC, add_name<H5L_info_t>, &places), "list a group");
+  std::map<hobj_ref_t, hobj_ref_t> copies;  // a copied reference is that of the source
+  const auto reference = [](hid_t group, const std::string& place) {
+    hobj_ref_t made{};
+    checked(H5Rcreate(&made, group, place.c_str(), H5R_OBJECT, -1), "refer to " + place);
+    return made;
+  };
+  for (const std::string& place : places) copies.emplace(reference(source, place), reference(copy, place));
+  for (const std::string& place : places) {
+    const Handle object(H5Oopen(source, place.c_str(), H5P_DEFAULT), H5Oclose, "open ", place);
+    std::vector<hobj_ref_t> scales = scales_of(object);
+    if (scales.empty()) continue;
+    for (hobj_ref_t& scale : scales) scale = copies.at(scale);
+    const Handle made(H5Oopen(copy, place.c_str(), H5P_DEFAULT), H5Oclose, "open ", place);
+    checked(H5Adelete(made, dimension_list), "delete the list of dimensions");
+    attach(made, std::move(scales));
+  }
 }
 
 void open_file(const std::string& path, const std::function<void(hid_t file)>& read) {

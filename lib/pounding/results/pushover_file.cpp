@@ -3,66 +3,92 @@
 #include <vector>
 
 #include <pounding/core/version.hpp>
-#include <pounding/results/hdf5.hpp>
 #include <pounding/results/replaced_file.hpp>
+#include <pounding/results/table_writer.hpp>
 
 namespace pounding {
 namespace {
 
 using namespace hdf5;
 
-void write_points(hid_t place, const Pushover& found) {
-  const hsize_t count = found.path.points.size(), floors = found.floors.size(), parts = found.parts.size();
-  std::vector<double> roof, shear, displacements, deformations, forces;
-  for (int i = 0; i < static_cast<int>(count); ++i) {
-    const PushPoint& point = found.path.points[i];
-    const auto row = found.floor_displacements.row(i);
-    roof.push_back(point.displacement);
-    shear.push_back(point.factor);
-    displacements.insert(displacements.end(), row.begin(), row.end());
-    deformations.insert(deformations.end(), point.deformations.begin(), point.deformations.end());
-    for (int j = 0; j < static_cast<int>(parts); ++j) forces.push_back(found.force(i, j));
-  }
-  array(place, {"displacement", "m", "displacement of the roof at the points of the path"}, roof, {count});
-  array(place, {"base_shear", "N", "base shear"}, shear, {count});
-  array(place, {"floor_displacement", "m", "displacement of each floor, from the ground up"}, displacements,
-        {count, floors});
-  array(place, {"deformation", "m or rad", "deformation of each part that yields"}, deformations, {count, parts});
-  array(place, {"force", "N or N m", "force of each part that yields"}, forces, {count, parts});
+// One value per point, floor, part or event.
+template <class List, class Of>
+auto each(const List& list, const Of& of) {
+  std::vector<decltype(of(list.front()))> values;
+  for (const auto& one : list) values.push_back(of(one));
+  return values;
 }
 
-void write_events(hid_t parent, const Pushover& found) {
-  const Handle place = group(parent, "events");
-  std::vector<int> points, parts, kinds, firsts;
-  for (const PushEvent& event : found.path.events) {
-    points.push_back(event.point);
-    parts.push_back(event.part);
-    kinds.push_back(static_cast<int>(event.kind));
-    firsts.push_back(event.is_first);
-  }
-  integers(place, {"point", "1", "number of the point, from 0"}, points, {points.size()});
-  integers(place, {"part", "1", "number of the part, from 0"}, parts, {parts.size()});
-  integers(place, {"kind", "1", "0 softens, 1 yields, 2 unloads"}, kinds, {kinds.size()});
-  integers(place, {"first", "1", "1 if the part had never yielded before"}, firsts, {firsts.size()});
+template <auto member>
+constexpr auto of_events = [](const Pushover& p) {
+  return each(p.path.events, [](const PushEvent& event) { return static_cast<int>(event.*member); });
+};
+
+template <auto member>
+constexpr auto of_points =
+    [](const Pushover& p) { return each(p.path.points, [](const PushPoint& point) { return point.*member; }); };
+
+std::vector<std::string> names_of_parts(const Pushover& p) {
+  return each(p.parts, [](const Pushover::Part& part) { return part.name; });
 }
+
+// [point, part]
+std::vector<double> deformations(const Pushover& p) {
+  std::vector<double> values;
+  for (const PushPoint& point : p.path.points)
+    values.insert(values.end(), point.deformations.begin(), point.deformations.end());
+  return values;
+}
+
+std::vector<double> forces(const Pushover& p) {
+  std::vector<double> values;
+  for (int i = 0; i < static_cast<int>(p.path.points.size()); ++i)
+    for (int j = 0; j < static_cast<int>(p.parts.size()); ++j) values.push_back(p.force(i, j));
+  return values;
+}
+
+std::vector<double> floor_displacements(const Pushover& p) {
+  std::vector<double> values;
+  for (const auto& row : p.floor_displacements.rowwise()) values.insert(values.end(), row.begin(), row.end());
+  return values;
+}
+
+constexpr tables::Dimension<Pushover> dimensions[] = {
+    {"point", [](const Pushover& p) { return p.path.points.size(); }},
+    {"floor", tables::value<&Pushover::floors>},
+    {"spring", names_of_parts},
+    {"events/event", [](const Pushover& p) { return p.path.events.size(); }},
+};
+
+constexpr tables::Variable<Pushover> variables[] = {
+    {"floors", "floor", "text", "labels of the floors, from the ground up", tables::value<&Pushover::floors>},
+    {"parts", "spring", "text", "names of the parts that yield", names_of_parts},
+    {"floor_loads", "floor", "1", "share of each floor in the load", tables::stored<&Pushover::loads>},
+    {"displacement", "point", "m", "displacement of the roof at the points of the path",
+     of_points<&PushPoint::displacement>},
+    {"base_shear", "point", "N", "base shear", of_points<&PushPoint::factor>},
+    {"floor_displacement", "point floor", "m", "displacement of each floor, from the ground up", floor_displacements},
+    {"deformation", "point spring", "m or rad", "deformation of each part that yields", deformations},
+    {"force", "point spring", "N or N m", "force of each part that yields", forces},
+    {"events/point", "event", "1", "number of the point, from 0", of_events<&PushEvent::point>},
+    {"events/part", "event", "1", "number of the part, from 0", of_events<&PushEvent::part>},
+    {"events/kind", "event", "1", "0 softens, 1 yields, 2 unloads", of_events<&PushEvent::kind>},
+    {"events/first", "event", "1", "1 if the part had never yielded before", of_events<&PushEvent::is_first>},
+    {"summary", "", "text", "what pounding pushover --json prints, without the points",
+     [](const Pushover& p) { return pushover_json(p, false); }},
+};
+
+constexpr tables::Table<Pushover> table{{}, dimensions, variables};
 
 void write_all(hid_t file, const Pushover& found, const std::string& model_text) {
   attribute(file, "program", std::string("pounding"));
   attribute(file, "version", std::string(POUNDING_VERSION));
   attribute(file, "content", std::string("pushover"));
-  const Handle input = group(file, "input");
-  text(input, "model.yaml", "input as given", model_text);
+  write(group(file, "input"), {"model.yaml", "text", "input as given"}, {}, model_text);
   const Handle place = group(file, "pushover");
   attribute(place, "structure", found.structure);
   attribute(place, "status", found.path.collapse.empty() ? std::string("done") : "collapse: " + found.path.collapse);
-  texts(place, "floors", "labels of the floors, from the ground up", found.floors);
-  std::vector<std::string> names;
-  for (const Pushover::Part& part : found.parts) names.push_back(part.name);
-  texts(place, "parts", "names of the parts that yield", names);
-  array(place, {"floor_loads", "1", "share of each floor in the load"}, found.loads, {found.loads.size()});
-  write_points(place, found);
-  write_events(place, found);
-  text(place, "summary", "what pounding pushover --json prints, without the points", pushover_json(found, false));
+  tables::TableWriter(place, "pushover", table, found).write();
 }
 
 }  // namespace

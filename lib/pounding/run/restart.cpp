@@ -83,7 +83,8 @@ void read(hid_t file, InterruptedRun& run) {
   Checkpoint& checkpoint = run.checkpoint;
   run.model_yaml = hdf5::read_text(file, "input/model.yaml");
   run.resolved_yaml = hdf5::read_text(file, "input/resolved.yaml");
-  if (has_other_run && !run.without_links) run.no_pounding = hdf5::group_image(file, without_links_group);
+  if (has_other_run && !run.without_links)
+    run.no_pounding = hdf5::file_image([&](hid_t to) { hdf5::copy_group(file, to, without_links_group); });
   checkpoint.ground = hdf5::read_attribute(place, "ground");
   checkpoint.model_file = hdf5::read_text(place, "model_file");
   const std::string options = hdf5::read_text(place, "options");
