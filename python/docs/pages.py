@@ -8,6 +8,7 @@ from pathlib import Path
 from docutils import nodes
 from docutils.statemachine import StringList
 from docutils.utils.math.latex2mathml import tex2mathml
+from sphinx.ext.napoleon import Config, NumpyDocstring
 from sphinx.util.docutils import SphinxDirective
 from sphinx.util.math import get_node_equation_number
 
@@ -109,21 +110,32 @@ def rst(text):
         elif is_code and row.strip() and not row.startswith("    "):
             rows.append("")
             is_code = False
-        # Outside names in backticks all signs are literal, and "file:line" is not a URL.
-        parts = re.split(r"(`[^`]+`)", row)
-        rows.append(
-            row
-            if is_code
-            else "".join(
-                part if place % 2 else re.sub(r"([*|_`\\]|(?<=\bfile):)", r"\\\1", part)
-                for place, part in enumerate(parts)
-            )
-        )
+        rows.append(row if is_code else literal(row))
     return rows
 
 
+def literal(row):
+    """A line as reStructuredText: outside names in backticks all signs are literal, and "file:line" is not a URL."""
+    parts = re.split(r"(`[^`]+`)", row)
+    return "".join(
+        part if place % 2 else re.sub(r"([*|_`\\]|(?<=\bfile):)", r"\\\1", part) for place, part in enumerate(parts)
+    )
+
+
+#: First line of a section of numpydoc.
+SECTION = re.compile(r"(?m)^(?=[A-Z][a-z]+\n-{5,}$)")
+
+
 def docstring(app, what, name, obj, options, lines):
-    lines[:] = rst("\n".join(lines))
+    """Text before the sections as comments are; sections by Sphinx, with literal descriptions."""
+    text, *sections = SECTION.split("\n".join(lines))
+    lines[:] = rst(text)
+    for section in sections:
+        rows = section.splitlines()
+        if rows[0] != "Examples":
+            rows = [f"    {literal(row[4:])}" if row.startswith("    ") else row for row in rows]
+        config = Config(napoleon_use_rtype=False, napoleon_use_param=False)
+        lines += ["", *NumpyDocstring(rows, config, app, what, name, obj, options).lines()]
 
 
 def first_page(app, exception):

@@ -13,12 +13,28 @@ KINDS, ORDERS = ("members", "hinges"), ("ratio", "demand")
 
 
 def worst(summary: Mapping[str, Any], kind: str = "members", by: str = "ratio") -> list[dict[str, Any]]:
-    """The five worst members or hinges of all structures, from the object of `pounding run --json`.
+    """The five worst members or hinges of all structures.
 
-    `kind` is "members" or "hinges", which includes yielding storeys, isolators and devices. `by` is "ratio", response
-    with links over that without, or "demand", with links: of members the force relative to the largest of its
-    component in the structure, of hinges the ductility. Each row has `structure` and the keys of the object; empty
-    without a comparison. Raises InputError for another `kind` or `by`."""
+    Parameters
+    ----------
+    summary : mapping
+        The object of `pounding run --json`, of a run with `compare: no_pounding`.
+    kind : str
+        "members", or "hinges", which includes yielding storeys, isolators and devices.
+    by : str
+        "ratio", response with links over that without, or "demand", with links: of members the force relative to the
+        largest of its component in the structure, of hinges the ductility.
+
+    Returns
+    -------
+    list of dict
+        Rows with `structure` and the keys of the object; empty without a comparison.
+
+    Raises
+    ------
+    InputError
+        `kind` or `by` is another one.
+    """
     if kind not in KINDS:
         raise InputError(f"unknown kind {excerpt(kind)}; known: {', '.join(KINDS)}")
     if by not in ORDERS:

@@ -48,32 +48,84 @@ class ContactState:
 
     @takes(penetration=number(), rate=number())
     def respond(self, penetration: float, rate: float) -> tuple[float, float, float]:
-        """Force [N] and its slopes by penetration [N/m] and by rate [N s/m]; zero unless the bodies overlap during an
-        impact."""
+        """Force and its slopes; zero unless the bodies overlap during an impact.
+
+        Parameters
+        ----------
+        penetration : float
+            Overlap [m].
+        rate : float
+            Its rate [m/s].
+
+        Returns
+        -------
+        tuple of float
+            Force [N] and its slopes by penetration [N/m] and by rate [N s/m].
+        """
         return self._contact.respond(penetration, rate)
 
     @takes(penetration=number(), rate=number())
     def accept(self, penetration: float, rate: float) -> None:
-        """Updates the history with an accepted state. Raises InputError, with the state unchanged, for a penetration beyond
-        the design of the law."""
+        """Updates the history with an accepted state.
+
+        Parameters
+        ----------
+        penetration : float
+            Overlap [m].
+        rate : float
+            Its rate [m/s].
+
+        Raises
+        ------
+        InputError
+            The penetration is beyond the design of the law; the state is unchanged.
+        """
         self._contact.accept(penetration, rate)
 
     @takes(closing_speed=number(0))
     def touch(self, closing_speed: float) -> None:
-        """Begins an impact at this closing speed [m/s]. Raises InputError during an impact."""
+        """Begins an impact.
+
+        Parameters
+        ----------
+        closing_speed : float
+            Closing speed at contact [m/s].
+
+        Raises
+        ------
+        InputError
+            An impact is in progress.
+        """
         if self.touching:
             raise InputError("an impact is in progress; call separate to end it")
         self._contact.touch(closing_speed)
 
     @takes(penetration=number())
     def separate(self, penetration: float = 0.0) -> None:
-        """Ends the impact at this penetration [m]. Raises InputError if no impact is in progress."""
+        """Ends the impact.
+
+        Parameters
+        ----------
+        penetration : float
+            Penetration at separation [m].
+
+        Raises
+        ------
+        InputError
+            No impact is in progress.
+        """
         if not self.touching:
             raise InputError("no impact is in progress; call touch or accept to begin one")
         self._contact.separate(penetration)
 
     def copy(self) -> ContactState:
-        """An independent copy."""
+        """An independent copy.
+
+        Returns
+        -------
+        ContactState
+            The same state of another contact.
+        """
         other = ContactState(self._made, self._law)
         other._contact.restore(self._contact.history)
         return other

@@ -28,21 +28,12 @@ _WITHOUT_VALUES = "This is a netCDF dimension but not a netCDF variable"
 
 
 class DataArray:
-    """An array of a results file. Its values are read on first access.
+    """An array of a results file. Its values are read on first access."""
 
-    Attributes
-    ----------
-    name : str
-        Name in its group.
-    dims : tuple of str
-        Names of the dimensions.
-    shape : tuple of int
-        Length of each dimension.
-    attrs : dict
-        Attributes, such as `units` and `long_name`.
-    coords : dict of str to DataArray
-        Coordinates along the dimensions, by name.
-    """
+    name: str  #: in its group
+    dims: tuple[str, ...]  #: names of the dimensions
+    shape: tuple[int, ...]  #: length of each dimension
+    coords: dict[str, DataArray]  #: coordinates along the dimensions
 
     def __init__(self, name: str, dataset: h5py.Dataset, scales: Mapping[int, tuple[str, DataArray | None]]) -> None:
         self._dataset = dataset
@@ -64,6 +55,7 @@ class DataArray:
 
     @cached_property
     def attrs(self) -> dict[str, Any]:
+        """Attributes, such as `units` and `long_name`."""
         if self._column is None:
             return _attributes(self._dataset)
         number = self._dataset.dtype.names.index(self._column)
@@ -96,19 +88,7 @@ class DataArray:
 
 
 class Data(Mapping[str, Any]):
-    """A group of a results file, with the basic access of `xarray.DataTree`, for Python without xarray.
-
-    Attributes
-    ----------
-    attrs : dict
-        Attributes of the group.
-    children : dict of str to Data
-        Groups in this group, and tables with one array per column.
-    data_vars, coords : dict of str to DataArray
-        Arrays in this group, and coordinates.
-    dims : dict of str to int
-        Dimensions of the arrays in this group, with their lengths.
-    """
+    """A group of a results file, with the basic access of `xarray.DataTree`, for Python without xarray."""
 
     def __init__(
         self, group: h5py.Group | h5py.Dataset, inherited: Mapping[int, tuple[str, DataArray | None]] | None = None
@@ -137,22 +117,27 @@ class Data(Mapping[str, Any]):
 
     @cached_property
     def attrs(self) -> dict[str, Any]:
+        """Attributes, such as `units` and `long_name`."""
         return _attributes(self._group) if isinstance(self._group, h5py.Group) else {}
 
     @property
     def children(self) -> dict[str, Data]:
+        """Groups in this group, and tables with one array per column."""
         return self._contents[0]
 
     @property
     def data_vars(self) -> dict[str, DataArray]:
+        """Arrays in this group."""
         return self._contents[1]
 
     @property
     def coords(self) -> dict[str, DataArray]:
+        """Coordinates of the arrays."""
         return self._contents[2]
 
     @property
     def dims(self) -> dict[str, int]:
+        """Lengths of the dimensions of the arrays."""
         arrays = [*self.coords.values(), *self.data_vars.values()]
         return {name: size for array in arrays for name, size in zip(array.dims, array.shape)}
 
@@ -172,6 +157,11 @@ class Data(Mapping[str, Any]):
 
     def subtree(self, path: str = "/") -> Iterator[tuple[str, Data]]:
         """The groups with their paths, this one first.
+
+        Parameters
+        ----------
+        path : str
+            Path of this group.
 
         Yields
         ------

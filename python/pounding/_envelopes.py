@@ -92,15 +92,43 @@ class StructureEnvelope(printing.ReportLines, lines=printing.envelope):
         return Extremes(np.take_along_axis(values, at, axis=1)[:, 0], np.take_along_axis(times, at, axis=1)[:, 0])
 
     def member(self, name: str) -> dict[str, tuple[float, float]]:
-        """Minimum and maximum of the end forces of a member, by component: `member("column 1.0")["start My"]` [N], [N
-        m].
+        """Extremes of the end forces of a member. The axial force has opposite signs at both ends; see `section`.
 
-        The axial force has opposite signs at both ends; see `section`. Raises KeyError."""
+        Parameters
+        ----------
+        name : str
+            Name of the member.
+
+        Returns
+        -------
+        dict of str to tuple
+            Minimum and maximum by component, such as "start My" [N], [N m].
+
+        Raises
+        ------
+        KeyError
+            There is no such member.
+        """
         return self._of_member(name, self.member_force)
 
     def section(self, name: str) -> dict[str, tuple[float, float]]:
-        """Same as `member`, for internal forces: `section("column 1.0")["start N"]` and "end N" are positive in
-        tension. Raises KeyError."""
+        """Extremes of the internal forces of a member: "start N" and "end N" are positive in tension.
+
+        Parameters
+        ----------
+        name : str
+            Name of the member.
+
+        Returns
+        -------
+        dict of str to tuple
+            Minimum and maximum by component [N], [N m].
+
+        Raises
+        ------
+        KeyError
+            There is no such member.
+        """
         return self._of_member(name, self.section_force)
 
     def _of_member(self, name: str, forces: Extremes | None) -> dict[str, tuple[float, float]]:

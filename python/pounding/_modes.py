@@ -55,7 +55,18 @@ class Modes(printing.ReportLines, Mapping[str, list[Mode]], lines=printing.modes
         return len(self._modes)
 
     def node_shapes(self, structure: str) -> list[np.ndarray]:
-        """[mode] of [node, 3] displacements of the nodes of a frame, to the scale of `shape`; empty for others."""
+        """Displacements of the nodes of a frame in each mode, to the scale of `shape`.
+
+        Parameters
+        ----------
+        structure : str
+            Name of the structure.
+
+        Returns
+        -------
+        list of numpy.ndarray
+            [node, 3] for each mode; empty for other structures.
+        """
         found: list[np.ndarray] = self._drawn[structure]["node_shapes"]
         return found
 
@@ -69,7 +80,23 @@ class Modes(printing.ReportLines, Mapping[str, list[Mode]], lines=printing.modes
         return table(["mode", *(f"{name}: T [s], damping" for name in names)], rows)
 
     def plot(self, title: str | None = None) -> Figure:
-        """A picture of the first shapes of every structure. Raises InputError if all structures are walls."""
+        """A picture of the first shapes of every structure.
+
+        Parameters
+        ----------
+        title : str, optional
+            Title instead of that of the model.
+
+        Returns
+        -------
+        matplotlib.figure.Figure
+            The picture.
+
+        Raises
+        ------
+        InputError
+            All structures are walls.
+        """
         from pounding._mode_shapes import DrawnMode, DrawnStructure, plot_modes
 
         structures = [

@@ -27,17 +27,44 @@ def pushover(
     direction: str = "x",
     output: str | PathLike[str] = "",
 ) -> Pushover:
-    """Pushover analysis of a structure of a model or an input file, by horizontal floor forces until the roof
-    displacement is `to`.
+    """Pushover analysis of a structure by horizontal floor forces. Parts of the structure must yield.
 
-    `to` is "250 mm", "2 % roof" of the height, or a number [m]. Parts of the structure must yield. `structure` is
-    optional if only one structure of the model yields. Displacements in `cyclic` are reached first, in their order.
+    Parameters
+    ----------
+    model : Model, str or os.PathLike
+        A model, or the name of its file.
+    structure : str
+        Name of the structure; optional if only one structure yields.
+    to : str or float, optional
+        Displacement of the roof: "250 mm", "2 % roof" of the height, or a number [m].
+    cyclic : sequence or str
+        Displacements that are reached first, in their order.
+    load : str, os.PathLike or sequence of float
+        "triangular" (masses times heights), "uniform" (masses), "mode1" (masses times the mode with the largest
+        effective mass), the name of a file with one force per floor, or these forces from the ground up, to any scale.
+    direction : str
+        "x", or "y" in space.
+    output : str or os.PathLike
+        Results file to write.
 
-    `load` is "triangular" (masses times heights), "uniform" (masses), "mode1" (masses times the mode with the largest
-    effective mass), the name of a file with one force per floor, or these forces from the ground up, to any scale.
-    `direction` is x, or y in space. `output` is a results file to write.
+    Returns
+    -------
+    Pushover
+        The curve.
 
-    Raises InputError for a structure that cannot be pushed, and SolverError, with partial results, for a collapse."""
+    Raises
+    ------
+    InputError
+        The structure cannot be pushed.
+    SolverError
+        The structure collapses; the error has the partial results.
+
+    Examples
+    --------
+    >>> found = pounding.pushover("examples/20_hinge_frames/model.yaml", "left", to="1 % roof")
+    >>> found.status
+    'done'
+    """
     model = as_model(model)
     steps = (
         arguments.text("cyclic", cyclic)

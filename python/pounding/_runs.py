@@ -74,43 +74,110 @@ class Run(RunData):
         *,
         compare: bool | None = None,
     ) -> Figure:
-        """A picture of the run, as a figure of matplotlib. A notebook displays it; `.savefig("NAME.pdf")` saves it.
+        """A picture of the run. A notebook displays it; `.savefig("NAME.pdf")` saves it.
 
-        `picture` is "run" (histories and impacts), "displacement", "rotation" (of rigid floors in space), "gap",
-        "force", "energy", "model" (structures at rest), "profiles" (extremes over the height), "plan" (a map of drifts
-        and impacts of frames in space), "hinges" (a map of yielded parts), "worst" (members and yielding parts with the largest increases by contact),
-        "loops" (force over deformation of the six
-        parts and devices with the largest energy losses, or contact loops if there are none) or "contact_loops" (force over
-        penetration).
+        Parameters
+        ----------
+        picture : str
+            "run" (histories and impacts), "displacement", "rotation" (of rigid floors in space), "gap", "force",
+            "energy", "model" (structures at rest), "profiles" (extremes over the height), "plan" (a map of drifts and
+            impacts of frames in space), "hinges" (a map of yielded parts), "worst" (members and yielding parts with the
+            largest increases by contact), "loops" (force over deformation of the six parts and devices with the largest
+            energy losses, or contact loops if there are none) or "contact_loops" (force over penetration).
+        title : str, optional
+            Title instead of that of the run; "" omits all titles, for a picture with a caption.
+        size : tuple of float, optional
+            Width and height [in]: (3.3, 2.4) is for one column of a paper, with 8-point type.
+        compare : bool, optional
+            True also draws the run without links, dashed; by default profiles and plan do if the run has it.
 
-        `title` replaces that of the run; "" omits all titles, for a picture with a caption. `size` is width and height
-        [in]: (3.3, 2.4) is for one column of a paper, with 8-point type. `compare` also draws the run without links,
-        dashed; None draws it in profiles and plan if the run has it (`compare: no_pounding`). Raises InputError for
-        another name, ImportError without matplotlib."""
+        Returns
+        -------
+        matplotlib.figure.Figure
+            The picture.
+
+        Raises
+        ------
+        InputError
+            There is no such picture.
+        ImportError
+            matplotlib is missing.
+
+        Examples
+        --------
+        >>> figure = results.plot("gap", size=(3.3, 2.4), title="")
+        >>> figure.get_size_inches()
+        array([3.3, 2.4])
+        """
         return _needing("matplotlib", "pounding._pictures.figures").figure(self, picture, title, size, compare)
 
     def spectrum(
         self, floor: str, damping: float = 0.05, periods: Sequence[float] | None = None, *, direction: str = "x"
     ) -> Spectrum:
-        """Response spectrum of the absolute acceleration of a floor: "left.3" is the third from the ground.
+        """Response spectrum of the absolute acceleration of a floor, from the accelerations at the output times.
 
-        `damping` is a ratio [-]; `periods` [s] are by default 200 from 0.02 s to 4 s. With `compare: no_pounding`,
-        `results.no_pounding.spectrum(...)` is that without links. Uses the accelerations at the output times. Raises
-        InputError if these are too far apart, with the output_step to use, and for an unknown floor."""
+        With `compare: no_pounding`, `results.no_pounding.spectrum(...)` is that without links.
+
+        Parameters
+        ----------
+        floor : str
+            "left.3" is the third floor from the ground.
+        damping : float
+            Damping ratio.
+        periods : sequence of float, optional
+            Periods [s], by default 200 from 0.02 s to 4 s.
+        direction : str
+            "x" or "y".
+
+        Returns
+        -------
+        Spectrum
+            The spectrum.
+
+        Raises
+        ------
+        InputError
+            There is no such floor, or the output times are too far apart; the message has the output_step to use.
+        """
         return floor_spectrum(self, floor, damping, periods, direction=direction)
 
     @takes(kind=text, by=text)
     def worst(self, kind: str = "members", *, by: str = "ratio") -> list[dict[str, Any]]:
-        """The five worst members or hinges of a run with `compare: no_pounding`; see `pounding.results.worst`."""
+        """The five worst members or hinges of a run with `compare: no_pounding`; see `pounding.results.worst`.
+
+        Parameters
+        ----------
+        kind : str
+            "members" or "hinges".
+        by : str
+            "ratio" or "demand".
+
+        Returns
+        -------
+        list of dict
+            The ranking.
+        """
         return comparison.worst(self.summary, kind, by)
 
     @takes(path=arguments.file)
     def report(self, path: str | PathLike[str]) -> None:
-        """Writes a report of about two A4 pages, .pdf or .html: model, assumptions, ground motion with its spectrum,
-        verdict, responses with and without links, impacts, energies and warnings.
+        """Writes a report of about two A4 pages: model, assumptions, ground motion with its spectrum, verdict, responses
+        with and without links, impacts, energies and warnings.
 
-        Raises InputError for another suffix and for an existing file that is not a report, OSError, ImportError
-        without matplotlib."""
+        Parameters
+        ----------
+        path : str or os.PathLike
+            File to write, .pdf or .html; an existing one must be a report.
+
+        Raises
+        ------
+        InputError
+            The suffix is another one, or the file may not be replaced.
+        OSError
+            The file cannot be written.
+        ImportError
+            matplotlib is missing.
+        """
         _needing("matplotlib", "pounding._report").write_report(self, path, spectra=ground_spectra(self))
 
     @takes(
@@ -131,10 +198,33 @@ class Run(RunData):
         scale: float | None = None,
         title: str | None = None,
     ) -> Film:
-        """An animation of the run from `start` to `end` [s], with displacements drawn `scale` times as large.
+        """An animation of the run. A notebook plays it.
 
-        Written to `path` if given: .gif, .mp4, or .png for one file per frame. A notebook plays it. Raises InputError
-        for times outside the run, ImportError without matplotlib."""
+        Parameters
+        ----------
+        path : str or os.PathLike, optional
+            File to write: .gif, .mp4, or .png for one file per frame.
+        frames : int, optional
+            Number of frames, by default 15 per second.
+        start, end : float, optional
+            Times of the first and the last frame [s].
+        scale : float, optional
+            Magnification of displacements and gaps.
+        title : str, optional
+            Title instead of that of the run.
+
+        Returns
+        -------
+        pounding.animation.Film
+            The film.
+
+        Raises
+        ------
+        InputError
+            A time is outside the run, or the file may not be replaced.
+        ImportError
+            matplotlib is missing.
+        """
         animation = _needing("matplotlib", "pounding.animation")
         if path is not None:
             animation.check_output(path)
@@ -159,11 +249,33 @@ class Run(RunData):
         scale: float | None = None,
         title: str | None = None,
     ) -> View:
-        """An interactive view in three dimensions: the model, the film of the run, and `modes` shapes per structure.
+        """An interactive view in three dimensions: the model, the film of the run, and mode shapes. A notebook shows it.
 
-        Written to `path` (.html) if given: one file, which needs no network. A notebook shows it. `frames` is the number of
-        instants of the film, by default as many as suit a file of 20 MB. Raises InputError; ImportError without
-        plotly."""
+        Parameters
+        ----------
+        path : str or os.PathLike, optional
+            File to write (.html), which needs no network.
+        modes : int
+            Number of mode shapes per structure.
+        frames : int, optional
+            Number of instants of the film, by default as many as suit a file of 20 MB.
+        scale : float, optional
+            Magnification of displacements and gaps.
+        title : str, optional
+            Title instead of that of the run.
+
+        Returns
+        -------
+        pounding.view.View
+            The view.
+
+        Raises
+        ------
+        InputError
+            An argument is out of range, or the file may not be replaced.
+        ImportError
+            Plotly is missing.
+        """
         views = _needing("matplotlib", "pounding.view")
         if path is not None:
             views.check_output(path)
@@ -189,18 +301,43 @@ class Run(RunData):
             ) from error
 
     def to_pandas(self) -> dict[str, pandas.DataFrame]:
-        """A DataFrame for each group of the file, in SI, with its time [s] as index.
+        """A table for each group of the file, in SI, with its time [s] as index.
 
-        Keys are "impacts", "energy", "ground", "links/NAME", "devices/NAME", and "structures/NAME" with columns
-        (quantity, floor, direction), including (edge_displacement, floor, edge) of rigid floors in space. If the input
-        requests them: "structures/NAME/nodes" with (quantity, node, direction), and with (member, component)
-        "structures/NAME/members", end forces, and "structures/NAME/sections", internal forces with N positive in
-        tension; "envelopes/NAME" has the extremes of all steps by (quantity, item, direction). The `attrs` of members and sections state whether gravity is included. Raises ImportError without pandas."""
+        Returns
+        -------
+        dict of str to pandas.DataFrame
+            Keys are "impacts", "energy", "ground", "links/NAME", "devices/NAME", and "structures/NAME" with columns
+            (quantity, floor, direction), including (edge_displacement, floor, edge) of rigid floors in space. If the
+            input requests them: "structures/NAME/nodes" with (quantity, node, direction), and with (member, component)
+            "structures/NAME/members", end forces, and "structures/NAME/sections", internal forces with N positive in
+            tension. "envelopes/NAME" has the extremes of all steps by (quantity, item, direction). The `attrs` of
+            members and sections state whether gravity is included.
+
+        Raises
+        ------
+        ImportError
+            pandas is missing.
+
+        Examples
+        --------
+        >>> results.to_pandas()["structures/left"]["displacement", "1", "x"].index.name
+        'time'
+        """
         return _needing("pandas", "pounding._tables").to_pandas(self)
 
     def to_xarray(self) -> dict[str, xarray.Dataset]:
-        """Same as `to_pandas`, as datasets with units and the dimensions time, floor or node, and direction, or time,
-        member and component. Raises ImportError without xarray."""
+        """Same as `to_pandas`, as datasets with units; `data` is the file itself.
+
+        Returns
+        -------
+        dict of str to xarray.Dataset
+            Datasets with the dimensions time, floor or node, and direction, or time, member and component.
+
+        Raises
+        ------
+        ImportError
+            xarray is missing.
+        """
         return _needing("xarray", "pounding._tables").to_xarray(self)
 
     def _repr_html_(self) -> str:
@@ -212,10 +349,32 @@ _FIELDS = frozenset(each.name for each in fields(Run))
 
 @takes(path=arguments.file, checked=flag)
 def read(path: str | PathLike[str], *, checked: bool = True) -> Run:
-    """The run in the results file `path`, after a check of the checksum.
+    """The run in a results file, after a check of the checksum.
 
-    `checked=False` skips the check, for files from an earlier version or with additions. Raises OSError if the file
-    cannot be opened, NotResults if it is of another kind or damaged."""
+    Parameters
+    ----------
+    path : str or os.PathLike
+        Name of the file.
+    checked : bool
+        False skips the check, for files from an earlier version or with additions.
+
+    Returns
+    -------
+    Run
+        The results.
+
+    Raises
+    ------
+    OSError
+        The file cannot be opened.
+    NotResults
+        The file is of another kind or damaged.
+
+    Examples
+    --------
+    >>> pounding.read("out.h5").status  # doctest: +SKIP
+    'done'
+    """
     return Run.read(path, checked=checked)
 
 

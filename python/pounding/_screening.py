@@ -20,8 +20,32 @@ _MARK = "check the edition"
 
 @takes(seismicity=arguments.one_of(SEISMICITIES))
 def screen(model: Model | str | PathLike[str], seismicity: str = "high") -> dict[str, Any]:
-    """Screens every pair of neighbours: rules, each with value, limit and verdict ("critical", "passes", "unknown" or
-    "not assessed"), and a sentence per pair. Nothing is run. Raises InputError."""
+    """Screens every pair of neighbours by rules for existing buildings, without a run.
+
+    Parameters
+    ----------
+    model : Model, str or os.PathLike
+        A model, or the name of its file.
+    seismicity : str
+        "low", "moderate", "moderately_high", "high" or "very_high".
+
+    Returns
+    -------
+    dict of str to object
+        "pairs": for each pair its checks, with value, limit and verdict ("critical", "passes", "unknown" or "not
+        assessed"), and a sentence.
+
+    Raises
+    ------
+    InputError
+        The model is wrong or has no links.
+
+    Examples
+    --------
+    >>> found = pounding.screen("examples/19_yielding_pair/model.yaml")
+    >>> sorted(found["pairs"][0])[:3]
+    ['checks', 'floor_offset', 'gap']
+    """
     given = model if isinstance(model, Model) else read_given(arguments.file("model", model)).model
     site = read_site(given._source())
     if not site.pairs:

@@ -48,7 +48,20 @@ class Spectrum:
         return (2 * np.pi / self.period) ** 2 * self.sd
 
     def plot(self, title: str = "", size: tuple[float, float] | None = None) -> Figure:
-        """A picture of this spectrum; see `spectra_figure`."""
+        """A picture of this spectrum.
+
+        Parameters
+        ----------
+        title : str
+            Title.
+        size : tuple of float, optional
+            Width and height [in].
+
+        Returns
+        -------
+        matplotlib.figure.Figure
+            The picture.
+        """
         return spectra_figure([self], title, size)
 
 
@@ -63,9 +76,37 @@ def record_spectrum(
 ) -> Spectrum:
     """Spectrum of the unscaled record in a file.
 
-    `periods` [s] are by default 200 from 0.02 s to 4 s; `units` and `channel` are for files that do not state them.
-    Warns of implausible peaks and steps (ImplausibleWarning). Raises InputError for a file that is not a record and for
-    values out of range."""
+    Parameters
+    ----------
+    file : str or os.PathLike
+        Name of the file.
+    damping : float
+        Damping ratio.
+    periods : sequence of float, optional
+        Periods [s], by default 200 from 0.02 s to 4 s.
+    units, channel : str
+        For files that do not state them.
+
+    Returns
+    -------
+    Spectrum
+        The spectrum.
+
+    Raises
+    ------
+    InputError
+        The file is not a record, or a value is out of range.
+
+    Warns
+    -----
+    ImplausibleWarning
+        Peaks or steps are implausible.
+
+    Examples
+    --------
+    >>> pounding.record_spectrum("record.csv").psa.max()  # doctest: +SKIP
+    8.7
+    """
     from pounding._native import core
 
     chosen = _chosen(periods)

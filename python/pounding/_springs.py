@@ -43,23 +43,83 @@ class Springs(printing.ReportLines, lines=printing.springs):
         return len(self.names)
 
     def is_device(self, part: int) -> bool:
-        """True if a part is a device, neither a storey, a hinge, an isolator nor a support."""
+        """True if a part is a device, neither a storey, a hinge, an isolator nor a support.
+
+        Parameters
+        ----------
+        part : int
+            Index of the part.
+
+        Returns
+        -------
+        bool
+            Kind of the part.
+        """
         return not _OF_MEMBERS.fullmatch(self.names[part]) and not self.isolates(part) and not self.lifts_off(part)
 
     def is_hinge(self, part: int) -> bool:
-        """True if a part is a hinge at the end of a member."""
+        """True if a part is a hinge at the end of a member.
+
+        Parameters
+        ----------
+        part : int
+            Index of the part.
+
+        Returns
+        -------
+        bool
+            Kind of the part.
+        """
         return _HINGES.fullmatch(self.names[part]) is not None
 
     def isolates(self, part: int) -> bool:
-        """True if a part is an isolator."""
+        """True if a part is an isolator.
+
+        Parameters
+        ----------
+        part : int
+            Index of the part.
+
+        Returns
+        -------
+        bool
+            Kind of the part.
+        """
         return _ISOLATORS.fullmatch(self.names[part]) is not None
 
     def lifts_off(self, part: int) -> bool:
-        """True if a part is a support that acts in compression only."""
+        """True if a part is a support that acts in compression only.
+
+        Parameters
+        ----------
+        part : int
+            Index of the part.
+
+        Returns
+        -------
+        bool
+            Kind of the part.
+        """
         return self.laws[part] == "uplift" and _SUPPORTS.fullmatch(self.names[part]) is not None
 
     def number(self, name: str) -> int:
-        """Index of a part by name. Raises KeyError that lists the names."""
+        """Index of a part by name.
+
+        Parameters
+        ----------
+        name : str
+            Name of the part.
+
+        Returns
+        -------
+        int
+            Its index.
+
+        Raises
+        ------
+        KeyError
+            There is no such part; the message lists the names.
+        """
         if name not in self.names:
             raise KeyError(f"no part is named {name!r}; there are {', '.join(self.names)}")
         return self.names.index(name)

@@ -65,7 +65,23 @@ class YieldingKind:
     has_corners: bool  #: True if the slope also jumps away from turning points
 
     def __call__(self, **parameters: Given | None) -> YieldingLaw:
-        """The law with these parameters: numbers in SI, texts with units, or names of choices. Raises InputError."""
+        """The law with these parameters.
+
+        Parameters
+        ----------
+        **parameters
+            Numbers in SI, texts with units, or names of choices.
+
+        Returns
+        -------
+        YieldingLaw
+            The law.
+
+        Raises
+        ------
+        InputError
+            A parameter is unknown, missing or out of range.
+        """
         return YieldingLaw(self, parameters)
 
     def __str__(self) -> str:
@@ -102,10 +118,31 @@ class YieldingLaw:
         return self._made.yield_deformation
 
     def follow(self, path: npt.ArrayLike) -> Loop:
-        """Response along deformations [m] from an undeformed start, linear between points.
+        """Response along a path of deformations from an undeformed start, linear between points.
 
-        Each row of a multidimensional array is a path. Response is exact: extra points between turning points do not
-        change it. Raises InputError for values that are not finite numbers."""
+        It is exact: extra points between turning points do not change it.
+
+        Parameters
+        ----------
+        path : array_like
+            Deformations [m]; each row of a multidimensional array is a path.
+
+        Returns
+        -------
+        Loop
+            Force, slope and energies at each point.
+
+        Raises
+        ------
+        InputError
+            A value is not a finite number.
+
+        Examples
+        --------
+        >>> law = pounding.hysteresis["bilinear"](stiffness="10 MN/m", yield_force="100 kN", hardening=0.1)
+        >>> law.follow([0, 0.005, 0.02]).force
+        array([     0.,  50000., 110000.])
+        """
         deformation = arguments.numbers("path", path)
         if not np.isfinite(deformation).all():
             raise InputError("path: a deformation is not finite")

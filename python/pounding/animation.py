@@ -116,8 +116,13 @@ class Film(printing.ReportLines, lines=printing.film):
     speed: float  #: frames per second
 
     def pictures(self) -> Iterator[Image.Image]:
-        """Yields the frames in RGB. Only moving parts are redrawn, since axes and legends would take most of the
-        time."""
+        """The frames in RGB. Only moving parts are redrawn, since axes and legends would take most of the time.
+
+        Yields
+        ------
+        PIL.Image.Image
+            The next frame.
+        """
         canvas: Any = FigureCanvasAgg(self.figure)  # without types in matplotlib
         for artist in self.moving:
             artist.set_animated(True)
@@ -141,8 +146,29 @@ class Film(printing.ReportLines, lines=printing.film):
 
 
 def animate(run: RunData, times: np.ndarray, scale: float | None = None, title: str | None = None) -> Film:
-    """The film at `times` [s]; the default of `scale` is that of `choose_scale`. Raises BadRequest for a scale that
-    is not positive."""
+    """The film of a run.
+
+    Parameters
+    ----------
+    run : RunData
+        The results.
+    times : numpy.ndarray
+        Times of the frames [s].
+    scale : float, optional
+        Magnification of displacements and gaps, by default so that they are visible.
+    title : str, optional
+        Title instead of that of the run.
+
+    Returns
+    -------
+    Film
+        The film.
+
+    Raises
+    ------
+    InputError
+        The scale is not positive.
+    """
     scale = choose_scale(run) if scale is None else scale
     if not (math.isfinite(scale) and scale > 0):
         raise BadRequest(f"--scale {scale:g} should be above zero")
@@ -193,11 +219,24 @@ def animate(run: RunData, times: np.ndarray, scale: float | None = None, title: 
 
 
 def save(film: Film, path: str | PathLike[str], progress: Callable[[int, int], None] | None = None) -> None:
-    """Writes .gif, .mp4, or one .png per frame: NAME_0001.png and so on. Calls `progress(done, all)` after each
-    frame.
+    """Writes .gif, .mp4, or one .png per frame: NAME_0001.png and so on.
 
-    Raises InputError for another suffix, for .mp4 without ffmpeg, and for an existing file that is not a picture;
-    OSError if the file cannot be written."""
+    Parameters
+    ----------
+    film : Film
+        The film.
+    path : str or os.PathLike
+        File to write.
+    progress : callable, optional
+        Called with the number of frames that are done and of all frames.
+
+    Raises
+    ------
+    InputError
+        The suffix is another one, .mp4 lacks ffmpeg, or an existing file is not a picture.
+    OSError
+        The file cannot be written.
+    """
     path = Path(path)
     check_output(path)
     with rc_context(STYLE):

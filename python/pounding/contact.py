@@ -106,10 +106,37 @@ class LawKind:
     ) -> Law:
         """The law with these parameters.
 
-        Damping follows from `restitution` (0, 1] by `formula` ("exact"), or from one of the parameters that replace a
-        restitution; parameters marked "together" replace all others. stereomechanical and kelvin_voigt also accept a
-        restitution of 0. `impact_velocity` is a fixed design velocity [m/s]; by default each impact has its own.
-        `reduced_mass` is m1 m2/(m1+m2) [kg] of the bodies, if the damping depends on it. Raises InputError."""
+        Damping follows from `restitution` by `formula`, or from one of the parameters that replace a restitution;
+        parameters marked "together" replace all others.
+
+        Parameters
+        ----------
+        restitution : float or str, optional
+            Coefficient of restitution in (0, 1]; stereomechanical and kelvin_voigt also accept 0.
+        formula : str, optional
+            Name of the formula for the damping, by default "exact".
+        impact_velocity : float or str, optional
+            Fixed design velocity [m/s]; by default each impact has its own.
+        reduced_mass : float or str, optional
+            m1 m2/(m1+m2) of the bodies [kg], if the damping depends on it.
+        **parameters
+            Parameters of the law by name, listed by `print(laws[NAME])`.
+
+        Returns
+        -------
+        Law
+            The law.
+
+        Raises
+        ------
+        InputError
+            A parameter is unknown, missing or out of range.
+
+        Examples
+        --------
+        >>> pounding.laws["hertz"](stiffness="2.75 GN/m^1.5")
+        laws["hertz"](stiffness=2750000000.0)
+        """
         return Law(self, restitution, formula, impact_velocity, reduced_mass, parameters)
 
     def __str__(self) -> str:
@@ -163,11 +190,37 @@ class Law:
         reduced_mass: Quantity | None = None,
         in_order: bool = False,
     ) -> Values:
-        """Contact force [N] at penetrations [m] and rates [m/s], arrays that broadcast together.
+        """Contact force of states, arrays that broadcast together. NaN gives NaN.
 
-        `approach_velocity` is the closing speed of the impact [m/s], if the damping depends on it. Each state is the
-        first of its impact; with `in_order` each row is one impact, for laws with memory. NaN gives NaN. Raises
-        InputError."""
+        Parameters
+        ----------
+        penetration : array_like
+            Overlap [m].
+        rate : array_like
+            Its rate [m/s].
+        approach_velocity : array_like, optional
+            Closing speed of the impact [m/s], if the damping depends on it.
+        reduced_mass : float or str, optional
+            Reduced mass of the bodies [kg], by default that of the law.
+        in_order : bool
+            True if each row is one impact, for laws with memory; otherwise each state is the first of its impact.
+
+        Returns
+        -------
+        numpy.ndarray or float
+            Force [N].
+
+        Raises
+        ------
+        InputError
+            An argument is missing or out of range.
+
+        Examples
+        --------
+        >>> law = pounding.laws["hertz"](stiffness=1e9)
+        >>> law.force([-1e-3, 0.0, 1e-3], 0.1).round()
+        array([    0.,     0., 31623.])
+        """
         return self._asked(penetration, rate, approach_velocity, reduced_mass, in_order, slopes=False)[()]
 
     def respond(
@@ -179,22 +232,77 @@ class Law:
         reduced_mass: Quantity | None = None,
         in_order: bool = False,
     ) -> Response:
-        """Same as `force`, with the slopes of the force by penetration [N/m] and by rate [N s/m]. Raises
-        InputError."""
+        """Contact force of states with its slopes.
+
+        Parameters
+        ----------
+        penetration, rate, approach_velocity, reduced_mass, in_order
+            As for `force`.
+
+        Returns
+        -------
+        Response
+            Force [N] and its slopes by penetration [N/m] and by rate [N s/m].
+
+        Raises
+        ------
+        InputError
+            An argument is missing or out of range.
+        """
         answer = self._asked(penetration, rate, approach_velocity, reduced_mass, in_order, slopes=True)
         return Response(*(values[()] for values in answer))
 
     def start(self) -> ContactState:
-        """The state of a contact of two bodies that have never touched, for programs that step in time. Raises InputError for
-        an instantaneous law and without a `reduced_mass` that the damping needs."""
+        """The state of a contact of two bodies that have never touched, for programs that step in time.
+
+        Returns
+        -------
+        ContactState
+            The state.
+
+        Raises
+        ------
+        InputError
+            The law is instantaneous, or its damping needs a `reduced_mass`.
+
+        Examples
+        --------
+        >>> state = pounding.laws["hertz"](stiffness=1e9).start()
+        >>> state.accept(1e-3, 0.2)
+        >>> state.touching
+        True
+        """
         if self.kind.instantaneous:
             raise InputError(f"{self.kind.name} has no force history")
         return ContactState(self._with_mass(None), self.kind.name)
 
     @takes(closing_speed=arguments.numbers, reduced_mass=optional(quantity))
     def free_impact(self, closing_speed: Numbers, reduced_mass: Quantity | None = None) -> FreeImpact:
-        """Free impacts of two bodies with this reduced mass [kg], by default that of the law, at these closing speeds
-        [m/s]. Raises InputError unless both are finite and positive."""
+        """Free impacts of two bodies.
+
+        Parameters
+        ----------
+        closing_speed : array_like
+            Closing speeds [m/s].
+        reduced_mass : float or str, optional
+            Reduced mass of the bodies [kg], by default that of the law.
+
+        Returns
+        -------
+        FreeImpact
+            Results with the shape of the closing speeds.
+
+        Raises
+        ------
+        InputError
+            A closing speed or the reduced mass is not finite and positive.
+
+        Examples
+        --------
+        >>> law = pounding.laws["jankowski"](stiffness=2.75e9, restitution=0.65, reduced_mass="60 t")
+        >>> round(float(law.free_impact(0.5).restitution), 3)
+        0.65
+        """
         mass = self.reduced_mass if reduced_mass is None else number_in("reduced_mass", reduced_mass, "kg")
         if mass is None:
             raise InputError("free_impact needs reduced_mass [kg]: m1 m2/(m1+m2) of the two bodies")
@@ -210,8 +318,18 @@ class Law:
 
     @takes(closing_speed=number(0, open=True))
     def describe(self, closing_speed: float = 1.0) -> dict[str, tuple[float, str]]:
-        """Every parameter, the damping number and the damping coefficient at this closing speed [m/s]: name -> (value,
-        SI unit)."""
+        """Every parameter, the damping number and the damping coefficient.
+
+        Parameters
+        ----------
+        closing_speed : float
+            Closing speed of the impact [m/s].
+
+        Returns
+        -------
+        dict of str to tuple
+            Value and SI unit by name.
+        """
         return {name: (value, unit) for name, value, unit in self._with_mass(None).describe(closing_speed)}
 
     def __str__(self) -> str:
@@ -221,7 +339,13 @@ class Law:
         return f'laws["{self.kind.name}"]({", ".join(f"{name}={value!r}" for name, value in self.given().items())})'
 
     def given(self) -> dict[str, Any]:
-        """The parameters that are given, in SI, by their keys in the input."""
+        """The parameters that are given, in SI, by their keys in the input.
+
+        Returns
+        -------
+        dict of str to object
+            Values by key.
+        """
         names = ("restitution", "formula", "impact_velocity", "reduced_mass")
         found = {name: getattr(self, name) for name in names} | by_key(self.kind.parameters, self.parameters)
         return {name: value for name, value in found.items() if value is not None}
@@ -350,12 +474,45 @@ def calibrate(
     exponent: Quantity | None = None,
     **parameters: Quantity,
 ) -> dict[str, Any]:
-    """Damping of a law for a restitution by every formula, and the restitution obtained in a free impact of bodies of
-    masses `m1` and `m2` [kg] at closing speed `velocity` [m/s].
+    """Damping of a law for a restitution by every formula, and the restitution obtained in a free impact.
 
-    Returns the object that `pounding calibrate --json` prints. Missing parameters have typical values and are listed in
-    "assumed". "formulas" has one entry per formula with restitution, peak_force [N], time_of_peak [s], peak_penetration
-    [m], duration [s], energy_lost [J], impulse [N s] and damping, or the reason in "refused". Raises InputError."""
+    Parameters
+    ----------
+    law : str
+        Name of the law.
+    m1 : float or str
+        Mass of one body [kg].
+    m2 : float or str
+        Mass of the other body [kg]; "wall" for a rigid wall.
+    restitution : float or str, optional
+        Requested restitution.
+    stiffness : float or str, optional
+        Stiffness of the contact.
+    velocity : float or str, optional
+        Closing speed [m/s].
+    exponent : float or str, optional
+        Exponent of the law.
+    **parameters
+        Further parameters of the law.
+
+    Returns
+    -------
+    dict of str to object
+        The object that `pounding calibrate --json` prints. Missing parameters have typical values and are listed in
+        "assumed". "formulas" has one entry per formula with restitution, peak_force [N], time_of_peak [s],
+        peak_penetration [m], duration [s], energy_lost [J], impulse [N s] and damping, or the reason in "refused".
+
+    Raises
+    ------
+    InputError
+        A parameter is unknown or out of range.
+
+    Examples
+    --------
+    >>> found = pounding.calibrate("hertz_damped", m1="100 t", restitution=0.65)
+    >>> "exact" in [one["formula"] for one in found["formulas"]]
+    True
+    """
     others = [(name, _word(value)) for name, value in parameters.items()]
     given = _word(restitution), _word(m1), _word(m2), _word(stiffness), _word(velocity), _word(exponent)
     return core.calibrate(law, *given, others)

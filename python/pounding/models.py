@@ -86,14 +86,45 @@ class Model(printing.ReportLines, lines=printing.model):
 
     @classmethod
     def from_file(cls, path: str | PathLike[str]) -> Model:
-        """The model of an input file, with numbers as typed. Raises InputError if the file cannot be read or is not
-        YAML; `check` and `run` check its contents."""
+        """The model of an input file, with numbers as typed. `check` and `run` check its contents.
+
+        Parameters
+        ----------
+        path : str or os.PathLike
+            Name of the file.
+
+        Returns
+        -------
+        Model
+            The model.
+
+        Raises
+        ------
+        InputError
+            The file cannot be read or is not YAML.
+        """
         name = fspath(arguments.file("path", path))
         return cls._from_text(core.read_file(name), name)
 
     @classmethod
     def from_yaml(cls, text: str) -> Model:
-        """The model of the text of an input file. Raises InputError for invalid YAML."""
+        """The model of the text of an input file.
+
+        Parameters
+        ----------
+        text : str
+            Text in YAML.
+
+        Returns
+        -------
+        Model
+            The model.
+
+        Raises
+        ------
+        InputError
+            The text is not YAML.
+        """
         return cls._from_text(arguments.text("text", text), "model")
 
     @classmethod
@@ -109,7 +140,13 @@ class Model(printing.ReportLines, lines=printing.model):
         return model
 
     def to_yaml(self) -> str:
-        """Text of an input file; for an unchanged model from a file, the text of that file."""
+        """Text of an input file; for an unchanged model from a file, the text of that file.
+
+        Returns
+        -------
+        str
+            Text in YAML.
+        """
         parts = self._parts()
         return self._text if parts == self._parts_of_text else yaml_text.emit(parts)
 
@@ -121,10 +158,31 @@ class Model(printing.ReportLines, lines=printing.model):
         scale: float | None = None,
         title: str | None = None,
     ) -> View:
-        """An interactive view of the model at rest in three dimensions, with `modes` shapes per structure.
+        """An interactive view of the model at rest in three dimensions. A notebook shows it.
 
-        Written to `path` (.html) if given: one file, which needs no network. A notebook shows it. Raises InputError;
-        ImportError without plotly."""
+        Parameters
+        ----------
+        path : str or os.PathLike, optional
+            File to write (.html), which needs no network.
+        modes : int
+            Number of mode shapes per structure.
+        scale : float, optional
+            Magnification of gaps.
+        title : str, optional
+            Title instead of that of the model.
+
+        Returns
+        -------
+        pounding.view.View
+            The view.
+
+        Raises
+        ------
+        InputError
+            The model is wrong, or the file cannot be written.
+        ImportError
+            Plotly is missing.
+        """
         from pounding.results import RunData
         from pounding.view import check_output, view_of_run
 
@@ -138,7 +196,13 @@ class Model(printing.ReportLines, lines=printing.model):
         return made
 
     def copy(self) -> Model:
-        """An independent copy."""
+        """An independent copy.
+
+        Returns
+        -------
+        Model
+            The copy.
+        """
         return copy.deepcopy(self)
 
     def __eq__(self, other: object) -> bool:
@@ -191,8 +255,33 @@ def as_model(model: Model | str | PathLike[str]) -> Model:
 
 
 def check(model: Model | str | PathLike[str]) -> Checked:
-    """Reads and validates an input, a model or its file. Raises InputError with the location of an error; warns of
-    implausible values (ImplausibleWarning)."""
+    """Reads and validates an input, without a run.
+
+    Parameters
+    ----------
+    model : Model, str or os.PathLike
+        A model, or the name of its file.
+
+    Returns
+    -------
+    Checked
+        Description, defaults and warnings.
+
+    Raises
+    ------
+    InputError
+        The input is wrong; the message has the place.
+
+    Warns
+    -----
+    ImplausibleWarning
+        A value is implausible.
+
+    Examples
+    --------
+    >>> pounding.check(model).warnings
+    ()
+    """
     description, resolved, doubts = core.check(as_model(model)._source())
     for doubt in doubts:
         warnings.warn(doubt, ImplausibleWarning, stacklevel=2)
@@ -201,7 +290,29 @@ def check(model: Model | str | PathLike[str]) -> Checked:
 
 @takes(count=whole(1, 10_000))
 def modes(model: Model | str | PathLike[str], count: int = 12) -> Modes:
-    """Natural modes of a model or an input file, longest period first. `count` limits the modes of frames; other
-    structures have all of them, walls have none. Raises InputError."""
+    """Natural modes of a model or an input file, longest period first.
+
+    Parameters
+    ----------
+    model : Model, str or os.PathLike
+        A model, or the name of its file.
+    count : int
+        Maximum number of modes of frames. Other structures have all of them, walls have none.
+
+    Returns
+    -------
+    Modes
+        Modes by structure.
+
+    Raises
+    ------
+    InputError
+        The input is wrong.
+
+    Examples
+    --------
+    >>> round(pounding.modes(model)["left"][0].period, 3)
+    0.8
+    """
     model = as_model(model)
     return Modes(core.modes(model._source(), count), str(model.title or ""))

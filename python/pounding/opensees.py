@@ -88,8 +88,13 @@ class Link(printing.ReportLines, lines=printing.opensees_link):
     def impacts(self) -> np.ndarray:
         """One row per impact, until now or until the model was wiped, with the columns of IMPACT.
 
-        t_end, v_separation and restitution of an unfinished impact are NaN. Raises SolverError if the link received
-        states that are not finite."""
+        t_end, v_separation and restitution of an unfinished impact are NaN.
+
+        Raises
+        ------
+        SolverError
+            The link received states that are not finite.
+        """
         answer = self._tell()
         if answer["error"]:
             raise SolverError(f"element {self.tag}: {answer['error']}")
@@ -137,7 +142,18 @@ _made: list[Link] = []
 
 
 def links() -> list[Link]:
-    """Links of the current OpenSees model in the order of their creation. Raises ImportError without openseespy."""
+    """Links of the current OpenSees model in the order of their creation.
+
+    Returns
+    -------
+    list of Link
+        The links.
+
+    Raises
+    ------
+    ImportError
+        openseespy is missing.
+    """
     ops = openseespy()
     tags = set(ops.getEleTags())
     of_tag = {each.tag: each for each in _made if each.tag in tags and tuple(ops.eleNodes(each.tag)) == each.nodes}
@@ -156,18 +172,44 @@ def link(
     reduced_mass: Quantity | None = None,
     **parameters: Quantity,
 ) -> Link:
-    """Adds a gap link between two nodes of the OpenSees model, as its element `tag` of type genericClient.
-
-    node_i is on the body with the smaller coordinate, node_j on the other; the gap closes if node_i moves towards
-    node_j along `dof` (1: x). A fixed node is a wall. `gap` >= 0 [m]. `law` is a name with its `parameters`
-    (restitution, formula, impact_velocity, stiffness, ...), or a law such as laws["hertz"](stiffness=2e9). The reduced
-    mass [kg] is by default that of the masses at the two nodes.
+    """Adds a gap link between two nodes of the OpenSees model, as its element of type genericClient.
 
     For implicit transient integrators: the element returns its stiffness dF/dd and its damping dF/dd', so that Newton's
     method has the exact slopes. Contact and separation are detected at the ends of steps; impact speeds are located
     within them. OpenSees reports that the element cannot revert when a step fails; the analysis may continue with
     another step. Its `force` in a recorder lacks the damping part, so use the impacts of the Link. The link ends with
-    the model (ops.wipe). Raises InputError for wrong values, ImportError without openseespy."""
+    the model (ops.wipe).
+
+    Parameters
+    ----------
+    tag : int
+        Tag of the element.
+    node_i, node_j : int
+        Tags of the nodes, on the body with the smaller and with the larger coordinate. The gap closes if node_i moves
+        towards node_j. A fixed node is a wall.
+    gap : float or str
+        Gap, not negative [m].
+    law : str or Law
+        Name of a law with its `parameters`, or a law such as laws["hertz"](stiffness=2e9).
+    dof : int
+        Degree of freedom along which the gap closes (1: x).
+    reduced_mass : float or str, optional
+        Reduced mass [kg], by default that of the masses at the two nodes.
+    **parameters
+        restitution, formula, impact_velocity, stiffness, ...
+
+    Returns
+    -------
+    Link
+        The link.
+
+    Raises
+    ------
+    InputError
+        A value is wrong.
+    ImportError
+        openseespy is missing.
+    """
     ops = openseespy()
     if isinstance(law, str):
         given: dict[str, Any] = {**parameters, "reduced_mass": reduced_mass}

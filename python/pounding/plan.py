@@ -37,9 +37,23 @@ class Extent(NamedTuple):
 
 
 def extent(structures: Mapping[str, Any]) -> Extent:
-    """Bounding rectangle of frames in the format of a model: {name: {"frame": {...}, "damping": ...}}.
+    """Bounding rectangle of frames. A plane frame has no depth.
 
-    A plane frame has no depth. Raises InputError for a structure that is not a frame, or has neither grid nor nodes."""
+    Parameters
+    ----------
+    structures : mapping
+        Frames in the format of a model: {name: {"frame": {...}, "damping": ...}}.
+
+    Returns
+    -------
+    Extent
+        The rectangle [m].
+
+    Raises
+    ------
+    InputError
+        A structure is not a frame, or has neither grid nor nodes.
+    """
     if not arguments.mapping("structures", structures):
         raise InputError("structures: there is none; give at least one frame")
     every = [_extent(name, words) for name, words in structures.items()]
@@ -54,13 +68,41 @@ def extent(structures: Mapping[str, Any]) -> Extent:
 def row(
     structures: Mapping[str, Any], gap: Any, *, along: str = "x", start: Sequence[Any] = (0.0, 0.0), align: str = "low"
 ) -> dict[str, Any]:
-    """Places frames one after the other along x or y, and returns them as structures of a model.
+    """Places frames one after the other along x or y.
 
-    `gap` is the gap between neighbours, a number [m] or a text such as "30 mm", or a list with one gap after each frame
-    except the last. It is measured between faces, which are `face` outside the axes of a frame; "auto" is not
-    supported. `start` is the x, y position of the beginning. `align` selects the sides on the line through `start`:
-    those with the smallest (low) or largest (high) other coordinate. Arguments are not modified; an existing `origin`
-    is replaced. Raises InputError as `extent`, and for negative or missing gaps."""
+    Parameters
+    ----------
+    structures : mapping
+        Frames in the format of a model. They are not modified; an existing `origin` is replaced.
+    gap : float, str or sequence
+        Gap between the faces of neighbours [m], or one after each frame except the last. Faces are `face` outside the
+        axes of a frame; "auto" is not supported.
+    along : str
+        "x" or "y".
+    start : sequence
+        Position x, y of the beginning [m].
+    align : str
+        Sides on the line through `start`: those with the smallest ("low") or largest ("high") other coordinate.
+
+    Returns
+    -------
+    dict of str to object
+        The structures with their origins.
+
+    Raises
+    ------
+    InputError
+        As for `extent`, and for negative or missing gaps.
+
+    Examples
+    --------
+    >>> grid = {"storeys": 2, "bays": 1, "storey_height": "3 m", "bay_width": "6 m"}
+    >>> placed = pounding.plan.row({"a": {"frame": {"grid": grid}}, "b": {"frame": {"grid": grid}}}, "30 mm")
+    >>> placed["b"]["frame"]["origin"]
+    [6.03]
+    >>> pounding.plan.extent(placed).width
+    12.03
+    """
     arguments.mapping("structures", structures)
     arguments.one_of(("x", "y"))("along", along)
     arguments.one_of(("low", "high"))("align", align)

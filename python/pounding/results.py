@@ -148,10 +148,23 @@ class Structure(printing.ReportLines, lines=printing.structure):
 
     @takes(quantity=arguments.text)
     def in_all_directions(self, quantity: str = "displacement") -> np.ndarray:
-        """[time, floor, direction] of a quantity in the order of `directions`: x, in space x, y and rz.
+        """A quantity of the floors in all directions; NaN for drifts and shears that a direction does not have.
 
-        `quantity` is displacement, velocity, acceleration, drift or storey_shear; along rz in rad instead of m. NaN for
-        drifts and shears that a direction does not have. Raises InputError for another quantity."""
+        Parameters
+        ----------
+        quantity : str
+            displacement, velocity, acceleration, drift or storey_shear; along rz in rad instead of m.
+
+        Returns
+        -------
+        numpy.ndarray
+            [time, floor, direction] in the order of `directions`: x, in space x, y and rz.
+
+        Raises
+        ------
+        InputError
+            The quantity is another one.
+        """
         known = ("displacement", "velocity", "acceleration", "drift", "storey_shear")
         if quantity not in known:
             raise InputError(f"unknown quantity {excerpt(quantity)}; known: {', '.join(known)}")
@@ -201,8 +214,18 @@ class Structure(printing.ReportLines, lines=printing.structure):
         return np.concatenate([x - turn * self.plan[:, 2:], y + turn * self.plan[:, :2]], axis=2)
 
     def centre(self, floor: int) -> np.ndarray:
-        """[2] the reference point of a rigid floor, counted from 0, whose motion is reported [m]. For frames in
-        space."""
+        """The reference point of a rigid floor, whose motion is reported. For frames in space.
+
+        Parameters
+        ----------
+        floor : int
+            Index of the floor, from 0.
+
+        Returns
+        -------
+        numpy.ndarray
+            x, y [m].
+        """
         assert self.geometry is not None and self.plan is not None
         return self.geometry.nodes[self.geometry.floor_of_node == floor, :2].min(axis=0) - self.plan[floor, [0, 2]]
 
@@ -287,10 +310,27 @@ class RunData(printing.ReportLines, lines=printing.run):
     @classmethod
     @takes(path=arguments.file, checked=arguments.flag)
     def read(cls: type[Contents], path: str | PathLike[str], *, checked: bool = True) -> Contents:
-        """The results in the file `path`, after a check of the checksum.
+        """The results in a file, after a check of the checksum.
 
-        `checked=False` skips the check, for files from an earlier version or with additions; HDF5 may hang on a damaged
-        one. Raises OSError if the file cannot be opened, NotResults if it is of another kind or damaged."""
+        Parameters
+        ----------
+        path : str or os.PathLike
+            Name of the file.
+        checked : bool
+            False skips the check, for files from an earlier version or with additions; HDF5 may hang on a damaged one.
+
+        Returns
+        -------
+        RunData
+            The results.
+
+        Raises
+        ------
+        OSError
+            The file cannot be opened.
+        NotResults
+            The file is of another kind or damaged.
+        """
         if checked:
             require_whole(path)
         elif not Path(path).is_file():
@@ -300,7 +340,23 @@ class RunData(printing.ReportLines, lines=printing.run):
 
     @classmethod
     def from_image(cls: type[Contents], image: bytes) -> Contents:
-        """The results in the bytes of a results file. Raises NotResults."""
+        """The results in the bytes of a results file.
+
+        Parameters
+        ----------
+        image : bytes
+            The bytes.
+
+        Returns
+        -------
+        RunData
+            The results.
+
+        Raises
+        ------
+        NotResults
+            The bytes are of another file, or damaged.
+        """
         if not isinstance(image, bytes):
             raise arguments.refuse("image", "the bytes of a results file", image)
         require_whole_image(image)
@@ -338,8 +394,6 @@ class RunData(printing.ReportLines, lines=printing.run):
         --------
         >>> results.data["links/left-right/force"].attrs["units"]
         'N'
-        >>> results.data["structures/left/displacement"].dims
-        ('time', 'floor', 'direction')
         """
         name = "what was given" if isinstance(self.source, bytes) else str(self.source)
         if _header(self.source) != self.header:
@@ -356,14 +410,43 @@ class RunData(printing.ReportLines, lines=printing.run):
 
     @takes(link=arguments.text)
     def impacts_of(self, link: str) -> np.ndarray:
-        """The rows of `impacts` of one link. Raises InputError for an unknown link."""
+        """The impacts of one link.
+
+        Parameters
+        ----------
+        link : str
+            Name of the link.
+
+        Returns
+        -------
+        numpy.ndarray
+            Rows of `impacts`.
+
+        Raises
+        ------
+        InputError
+            There is no such link.
+        """
         if link not in self.links:
             raise InputError(f"unknown link {excerpt(link)}; known: {', '.join(self.links) or 'none'}")
         return self.impacts[self.impacts["link"] == link]
 
     @takes(path=arguments.file)
     def save(self, path: str | PathLike[str]) -> None:
-        """Writes the results file; an existing file must be a results file. Raises InputError, OSError."""
+        """Writes the results file.
+
+        Parameters
+        ----------
+        path : str or os.PathLike
+            File to write; an existing one must be a results file.
+
+        Raises
+        ------
+        InputError
+            The file may not be replaced.
+        OSError
+            The file cannot be written.
+        """
         with replaced(path, RESULTS) as temporary:
             if isinstance(self.source, bytes):
                 temporary.write_bytes(self.source)

@@ -61,7 +61,20 @@ class View(printing.ReportLines, lines=printing.view):
 
     @takes(path=arguments.file)
     def save(self, path: str | PathLike[str]) -> None:
-        """Writes the page; an existing file must be a view. Raises InputError, OSError."""
+        """Writes the page.
+
+        Parameters
+        ----------
+        path : str or os.PathLike
+            File to write; an existing one must be a view.
+
+        Raises
+        ------
+        InputError
+            The file may not be replaced.
+        OSError
+            The file cannot be written.
+        """
         check_output(path)
         with replaced(path, VIEW) as temporary:
             temporary.write_text(self.html, encoding="utf-8")

@@ -46,18 +46,50 @@ def from_opensees(
     contact that yields. A member has equal hinges at both ends, or a hinge at one end.
 
     The model is in N, m, kg, s; y is up in the plane, z in space. Names of nodes, members and devices follow from their
-    tags: n24, e7, d12. Two structures are called left and right, more of them frame1, frame2, ... by smallest x, unless
-    `names` is given.
+    tags: n24, e7, d12.
 
-    OpenSees does not return the damping: pass `rayleigh`, the arguments of ops.rayleigh (alphaM, betaK, betaKinit,
-    betaKcomm), or `damping` with input keys; the default is undamped. It does not return the motion of a
-    UniformExcitation: pass `ground_motion`, and `analysis`, as for Model. `without` are tags of elements to omit;
-    `without_loads` omits load patterns. Mass per length, joint offsets, BoucWen, Hysteretic, ElasticMultiLinear, HyperbolicGapMaterial and
-    the hardening of ElasticPPGap have the six digits that OpenSees prints; all other values are exact. In OpenSees the stiffness-proportional part of
-    Rayleigh damping excludes the springs of members; here it includes them. `face` is the distance from the axes of the
-    outer columns to the faces, such as "0.3 m", for all frames or by name: gaps are measured between faces.
+    Mass per length, joint offsets, BoucWen, Hysteretic, ElasticMultiLinear, HyperbolicGapMaterial and the hardening of
+    ElasticPPGap have the six digits that OpenSees prints; all other values are exact. In OpenSees the
+    stiffness-proportional part of Rayleigh damping excludes the springs of members; here it includes them.
 
-    Raises InputError with the unsupported part; ImportError without openseespy."""
+    Parameters
+    ----------
+    ground_motion, analysis : mapping, optional
+        As for Model. OpenSees does not return the motion of a UniformExcitation.
+    rayleigh : sequence of float, optional
+        Arguments of ops.rayleigh (alphaM, betaK, betaKinit, betaKcomm), which OpenSees does not return.
+    damping : object, optional
+        Damping with the keys of the input, instead of `rayleigh`; the default is undamped.
+    names : sequence of str, optional
+        Names of the structures by smallest x. By default two structures are called left and right, more of them
+        frame1, frame2, ...
+    without : iterable of int
+        Tags of elements to omit.
+    without_loads : bool
+        True omits load patterns.
+    title : str, optional
+        Title of the model.
+    face : object, optional
+        Distance from the axes of the outer columns to the faces, such as "0.3 m", for all frames or by name: gaps are
+        measured between faces.
+
+    Returns
+    -------
+    Model
+        The model.
+
+    Raises
+    ------
+    InputError
+        The model has an unsupported part.
+    ImportError
+        openseespy is missing.
+
+    Examples
+    --------
+    >>> pounding.from_opensees(damping="5 %").structures.keys()  # doctest: +SKIP
+    dict_keys(['left', 'right'])
+    """
     ops = openseespy()
     printed = Printed(ops)
     frames = Frames(ops, printed, set(without))

@@ -24,13 +24,40 @@ class Engine(Protocol):
     name: str
 
     def takes(self, template: Template) -> bool:
-        """True if the engine may run rows of this study; False if it cannot run any of them."""
+        """True if the engine may run rows of this study; False if it cannot run any of them.
+
+        Parameters
+        ----------
+        template : Template
+            The study without its rows.
+
+        Returns
+        -------
+        bool
+            Whether to try it.
+        """
 
     def run(self, batch: Batch) -> Done:
         """Computes the columns of the rows.
 
         A wrong or failed row gets a status and a reason, never an exception. Rows that the engine cannot run are
-        returned with the reason and run with the next engine. Raises MemoryError."""
+        returned with the reason and run with the next engine.
+
+        Parameters
+        ----------
+        batch : Batch
+            The rows.
+
+        Returns
+        -------
+        Done
+            Columns, status and reasons.
+
+        Raises
+        ------
+        MemoryError
+            The process is out of memory.
+        """
 
 
 class SolverEngine:

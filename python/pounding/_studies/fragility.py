@@ -39,12 +39,41 @@ class Fragility:
         return not self.problem
 
     def probability(self, im: np.ndarray | float) -> np.ndarray:
-        """P(exceeded) at these intensities."""
+        """Probability of exceedance.
+
+        Parameters
+        ----------
+        im : array_like
+            Intensities.
+
+        Returns
+        -------
+        numpy.ndarray
+            Probability at each.
+        """
         return np.asarray(special().ndtr(np.log(numbers("im", im) / self.theta) / self.beta))
 
     @takes(im=numbers)
     def band(self, im: np.ndarray | float, percent: tuple[float, float] = (5, 95)) -> np.ndarray:
-        """[2, im] confidence band of the curve, from bootstrap over events. Raises InputError without a bootstrap."""
+        """Confidence band of the curve, from bootstrap over events.
+
+        Parameters
+        ----------
+        im : array_like
+            Intensities.
+        percent : tuple of float
+            Percentages of the lower and the upper curve.
+
+        Returns
+        -------
+        numpy.ndarray
+            [2, im] lower and upper probability.
+
+        Raises
+        ------
+        InputError
+            The curve has no bootstrap.
+        """
         if self.boot is None or not len(self.boot):
             raise InputError("no band: the curve has no bootstrap over records")
         x = np.log(np.atleast_1d(np.asarray(im, dtype=float)))
@@ -66,8 +95,33 @@ class Fragility:
 def fit(
     im: Sequence[float] | np.ndarray, count: Sequence[int] | np.ndarray, exceeded: Sequence[int] | np.ndarray
 ) -> Fragility:
-    """Fits a curve to `exceeded` of `count` trials at each intensity. Raises InputError for arrays of different
-    lengths and for impossible counts or intensities."""
+    """Fits a curve to the exceedances at each intensity.
+
+    Parameters
+    ----------
+    im : sequence of float
+        Intensities.
+    count : sequence of int
+        Number of trials at each.
+    exceeded : sequence of int
+        Number of exceedances at each.
+
+    Returns
+    -------
+    Fragility
+        The curve.
+
+    Raises
+    ------
+    InputError
+        The lengths differ, or a count or intensity is impossible.
+
+    Examples
+    --------
+    >>> curve = pounding.studies.fragility.fit([0.1, 0.2, 0.4, 0.8], [20, 20, 20, 20], [1, 5, 12, 18])
+    >>> round(curve.theta, 2)
+    0.33
+    """
     x, n, k = np.asarray(im, dtype=float), np.asarray(count, dtype=float), np.asarray(exceeded, dtype=float)
     if not x.shape == n.shape == k.shape or x.ndim != 1 or not x.size:
         raise InputError("a fragility takes one count and one number of exceedances for each intensity")

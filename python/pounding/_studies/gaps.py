@@ -30,8 +30,27 @@ class GapCurve:
 
     @classmethod
     def of(cls, required: np.ndarray, rules: Mapping[str, np.ndarray], events: np.ndarray | None = None) -> GapCurve:
-        """The curve of some rows. `events` [row] identifies rows of one event; by default each row is an event.
-        Raises InputError if no row has a required gap."""
+        """The curve of some rows.
+
+        Parameters
+        ----------
+        required : numpy.ndarray
+            [row] required gap [m].
+        rules : mapping
+            [row] gap by each rule [m].
+        events : numpy.ndarray, optional
+            [row] identifies rows of one event; by default each row is an event.
+
+        Returns
+        -------
+        GapCurve
+            The curve.
+
+        Raises
+        ------
+        InputError
+            No row has a required gap.
+        """
         known = ~np.isnan(required)
         if not known.any():
             raise InputError("no row has a required gap; write keep: [required_gap]")
@@ -43,22 +62,57 @@ class GapCurve:
         )
 
     def exceedance(self, gap: float | str) -> float:
-        """Fraction of rows that need a larger gap ([m], or "20 mm"). The required gap of a collapse without links is
-        infinite."""
+        """Fraction of rows that need a larger gap. The required gap of a collapse without links is infinite.
+
+        Parameters
+        ----------
+        gap : float or str
+            The gap [m], or "20 mm".
+
+        Returns
+        -------
+        float
+            The fraction.
+        """
         return float(np.mean(self.gap > _metres(gap)))
 
     @takes(confidence=_CONFIDENCE)
     def band(self, gap: float | str, confidence: float = 0.9) -> tuple[float, float]:
-        """Confidence interval of the probability that this gap is insufficient (Clopper and Pearson 1934), with the
-        number of events as sample size."""
+        """Confidence interval of the probability that a gap is insufficient (Clopper and Pearson 1934), with the number of
+        events as sample size.
+
+        Parameters
+        ----------
+        gap : float or str
+            The gap [m], or "20 mm".
+        confidence : float
+            Confidence of the interval.
+
+        Returns
+        -------
+        tuple of float
+            Lower and upper bound.
+        """
         return clopper_pearson(
             int((self.gap > _metres(gap)).sum()) * self.independent / len(self.gap), self.independent, confidence
         )
 
     @takes(percent=number(0, 100), confidence=_CONFIDENCE)
     def percentile(self, percent: float, confidence: float = 0.9) -> tuple[float, float, float]:
-        """Gap that is sufficient for `percent` % of the rows, and its confidence interval by order statistics [m]; a
-        bound is infinite if there are too few rows."""
+        """Gap that is sufficient for a percentage of the rows, with its confidence interval by order statistics.
+
+        Parameters
+        ----------
+        percent : float
+            Percentage of the rows.
+        confidence : float
+            Confidence of the interval.
+
+        Returns
+        -------
+        tuple of float
+            Gap, lower and upper bound [m]; a bound is infinite if there are too few rows.
+        """
         n = self.independent
         tail = (1 - confidence) / 2
         low = _binomial_quantile(tail, n, percent / 100)
@@ -73,7 +127,18 @@ class GapCurve:
         return float(self.gap[max(1, math.ceil(share * len(self.gap) - 1e-9)) - 1])
 
     def ratio(self, rule: str) -> np.ndarray:
-        """[row] gap by a rule divided by the required gap; the rule is safe above 1."""
+        """Gap by a rule divided by the required gap; the rule is safe above 1.
+
+        Parameters
+        ----------
+        rule : str
+            "abs", "srss" or "ddc".
+
+        Returns
+        -------
+        numpy.ndarray
+            [row] ratio.
+        """
         one_of(self.rules)("rule", rule)
         with np.errstate(divide="ignore", invalid="ignore"):
             return self.rules[rule] / self.required

@@ -66,7 +66,25 @@ class Rows:
     @classmethod
     @takes(path=arguments.file)
     def open(cls: type[Table], path: str | PathLike[str]) -> Table:
-        """Opens the table in a file, also that of a killed study. Raises InputError, OSError."""
+        """Opens the table in a file, also that of a killed study.
+
+        Parameters
+        ----------
+        path : str or os.PathLike
+            Name of the file.
+
+        Returns
+        -------
+        Study
+            The table.
+
+        Raises
+        ------
+        InputError
+            The file is of another kind or damaged.
+        OSError
+            The file cannot be opened.
+        """
         with open_study(Path(path)) as file:
             columns = {name: data[:] for name, data in file["rows"].items()}
             units = {name: text(data.attrs["units"]) for name, data in file["rows"].items()}
@@ -130,12 +148,45 @@ class Rows:
         return {int(row): self.reasons.get(int(row), "") for row in np.flatnonzero(self.columns["status"] == COLLAPSED)}
 
     def choose(self, **values: float | str) -> np.ndarray:
-        """[row] True for finished rows with these values of factors: `choose(gap=0.02)`, `choose(gap="20 mm")`, or the
-        name of a level, `choose(law="hertz")`. Raises InputError if there are none."""
+        """Finished rows with these values of factors: `choose(gap=0.02)`, `choose(gap="20 mm")`, `choose(law="hertz")`.
+
+        Parameters
+        ----------
+        **values : float or str
+            Value in SI, a text with its unit, or the name of a level, by factor.
+
+        Returns
+        -------
+        numpy.ndarray
+            [row] True for these rows.
+
+        Raises
+        ------
+        InputError
+            There is no such row.
+        """
         return self._among(self.finished, values)
 
     def value_of(self, name: str, value: float | str) -> float:
-        """A value of a factor in SI, or the index of its name. Raises InputError."""
+        """A value of a factor in SI, or the index of its name.
+
+        Parameters
+        ----------
+        name : str
+            Name of the factor.
+        value : float or str
+            The value.
+
+        Returns
+        -------
+        float
+            The number.
+
+        Raises
+        ------
+        InputError
+            The factor or the value is unknown.
+        """
         self[name]
         labels: Sequence[str] = next((one["labels"] for one in self.description["factors"] if one["name"] == name), ())
         if not isinstance(value, str):
@@ -164,8 +215,30 @@ class Rows:
         return chosen
 
     def limit_of(self, column: str, limit: float | str) -> float:
-        """A limit of a column in SI, from a number in the unit of the column or a text with a unit, such as "5 MN".
-        Raises InputError; warns of an implausible bare number (ImplausibleWarning)."""
+        """A limit of a column in SI.
+
+        Parameters
+        ----------
+        column : str
+            Name of the column.
+        limit : float or str
+            A number in the unit of the column, or a text with a unit, such as "5 MN".
+
+        Returns
+        -------
+        float
+            The number.
+
+        Raises
+        ------
+        InputError
+            The column or the unit is unknown.
+
+        Warns
+        -----
+        ImplausibleWarning
+            A bare number is implausible.
+        """
         self[column]
         limit = (arguments.text if isinstance(limit, str) else number())(f"limit of {column}", limit)
         unit = self.units.get(column, "")
@@ -191,11 +264,34 @@ class Rows:
         seed: int = 1,
         **values: float | str,
     ) -> fragility.Fragility:
-        """Lognormal curve of the probability that `column` exceeds `limit` (SI, or "5 MN"), over the intensity.
+        """Lognormal curve of the probability that a column exceeds a limit, over the intensity.
 
-        The band is from bootstrap over events, since rows of one event are not independent. The column "collapsed" has
-        no limit: its curve is that of collapse. `values` select values of factors. Rows with an undefined column are
-        excluded and counted. See `pounding.studies.fragility.fit`."""
+        The band is from bootstrap over events, since rows of one event are not independent. Rows with an undefined
+        column are excluded and counted. See `pounding.studies.fragility.fit`.
+
+        Parameters
+        ----------
+        column : str
+            Name of the column. "collapsed" has no limit: its curve is that of collapse.
+        limit : float or str, optional
+            The limit in SI, or "5 MN".
+        bootstrap : int
+            Number of bootstrap samples.
+        seed : int
+            Seed of the samples.
+        **values : float or str
+            Values of factors that select rows.
+
+        Returns
+        -------
+        Fragility
+            The curve.
+
+        Raises
+        ------
+        InputError
+            The column, the limit or the intensity is missing.
+        """
         if column == COLLAPSED_COLUMN and column not in self.columns:
             self._require_collapse()
             limit = 0.5 if limit is None else limit
@@ -222,22 +318,65 @@ class Rows:
     ) -> curves.Percentiles:
         """Percentiles of a column at every level, by order statistics; exceeded and collapsed rows are infinite.
 
-        Without an intensity all rows are one level, whose `im` is NaN."""
+        Without an intensity all rows are one level, whose `im` is NaN.
+
+        Parameters
+        ----------
+        column : str
+            Name of the column.
+        percent : sequence of float
+            Percentages.
+        **values : float or str
+            Values of factors that select rows.
+
+        Returns
+        -------
+        Percentiles
+            The curves.
+        """
         chosen = self.choose(**values)
         beyond = (self["status"] == EXCEEDED) & bool(self.description["kept"]["limits"])
         chosen = chosen & (beyond | self._defined(column, chosen))
         return curves.at_levels(self["im"][chosen], np.where(beyond, np.inf, self[column])[chosen], percent)
 
     def gaps(self, **values: float | str) -> gaps.GapCurve:
-        """Probability that a gap is insufficient, over the gap, with its band from the number of events, and the
-        rules. Needs keep: [required_gap]."""
+        """Probability that a gap is insufficient, over the gap, with its band from the number of events, and the rules.
+        Needs keep: [required_gap].
+
+        Parameters
+        ----------
+        **values : float or str
+            Values of factors that select rows.
+
+        Returns
+        -------
+        GapCurve
+            The curve.
+        """
         chosen = self.choose(**values)
         rules = {name: self[f"gap_{name}"][chosen] for name in ("abs", "srss", "ddc") if f"gap_{name}" in self.columns}
         return gaps.GapCurve.of(self["required_gap"][chosen], rules, self._events()[chosen])
 
     @takes(percent=number(0, 100))
     def map(self, column: str, across: str, along: str, percent: float = 50, **values: float | str) -> curves.Map:
-        """A percentile of a column over two factors, pooled over all others; `values` select values of factors."""
+        """A percentile of a column over two factors, pooled over all others.
+
+        Parameters
+        ----------
+        column : str
+            Name of the column.
+        across, along : str
+            Names of the factors.
+        percent : float
+            Percentage.
+        **values : float or str
+            Values of factors that select rows.
+
+        Returns
+        -------
+        Map
+            The map.
+        """
         return curves.over_two(self[across], self[along], self[column], self.choose(**values), percent, (across, along))
 
     def _defined(self, column: str, chosen: np.ndarray) -> np.ndarray:

@@ -203,10 +203,43 @@ def separation(
 ) -> dict[str, Any]:
     """Required gap of every record, gaps by rules, and gaps by codes at every level [m].
 
-    `quantile` adds quantiles of the required gap ("95 %"), `probability` the gap for a target probability of contact
-    ("10 %"), `keys` replaces keys of `study.separation`, such as {"property": "line"}. A gap is None if structures
-    collapse without links, when no gap is sufficient, or if an input of a code is missing. Raises InputError, and
-    SolverError if a record fails; emits the warnings of the plan (ImplausibleWarning)."""
+    Parameters
+    ----------
+    model : str or os.PathLike
+        File of a model or study.
+    records : sequence, optional
+        Files of records instead of those of the file.
+    workers : int, optional
+        Number of processes; 0 runs in this process.
+    quantile : str, float or sequence, optional
+        Further quantiles of the required gap ("95 %").
+    probability : str, float or sequence, optional
+        Target probabilities of contact ("10 %"), for which to compute the gap.
+    keys : mapping, optional
+        Keys that replace those of `study.separation`, such as {"property": "line"}.
+
+    Returns
+    -------
+    dict of str to object
+        A gap is None if structures collapse without links, when no gap is sufficient, or if an input of a code is
+        missing.
+
+    Raises
+    ------
+    InputError
+        The plan is wrong.
+    SolverError
+        A record fails.
+
+    Warns
+    -----
+    ImplausibleWarning
+        A value is implausible.
+
+    Examples
+    --------
+    >>> pounding.separation("model.yaml", workers=0)["percentiles"]  # doctest: +SKIP
+    """
     plan, request = read_separation(model, records, keys, quantile or (), probability or ())
     for doubt in plan.warnings:
         warnings.warn(doubt, ImplausibleWarning, stacklevel=3)

@@ -50,7 +50,18 @@ class Study(Rows):
 
     @classmethod
     def of(cls, table: Table) -> Study:
-        """The study of a table in memory."""
+        """The study of a table in memory.
+
+        Parameters
+        ----------
+        table : Table
+            The table.
+
+        Returns
+        -------
+        Study
+            The study.
+        """
         plan = table.plan
         columns = {
             **plan.columns(np.arange(plan.count)),
@@ -80,22 +91,59 @@ class Study(Rows):
         return found
 
     def indices(self, column: str) -> Indices:
-        """Sobol indices of the factors of a study with sampling: {saltelli: n}. Needs SALib. See
-        `pounding._studies.indices`."""
+        """Sobol indices of the factors of a study with sampling: {saltelli: n}. Needs SALib.
+
+        Parameters
+        ----------
+        column : str
+            Name of a column.
+
+        Returns
+        -------
+        Indices
+            First and total indices.
+        """
         from pounding._studies.indices import sobol_indices
 
         return sobol_indices(self, column)
 
     @takes(picture=arguments.text, column=arguments.optional(arguments.text))
     def plot(self, picture: str, column: str | None = None, **options: Any) -> Figure:
-        """A picture from the table alone: "fragility", "ida", "gap", "map" or "tornado". Raises InputError, ImportError
-        without matplotlib."""
+        """A picture from the table alone.
+
+        Parameters
+        ----------
+        picture : str
+            "fragility", "ida", "gap", "map" or "tornado".
+        column : str, optional
+            Name of a column.
+        **options
+            Options of the picture.
+
+        Returns
+        -------
+        matplotlib.figure.Figure
+            The picture.
+
+        Raises
+        ------
+        InputError
+            There is no such picture, column or option.
+        ImportError
+            matplotlib is missing.
+        """
         from pounding._studies.pictures import study_figure
 
         return study_figure(self, picture, column, **options)
 
     def to_pandas(self) -> pandas.DataFrame:
-        """All rows as a DataFrame with one column per column of the table; records, labels and statuses by name."""
+        """All rows as a table; records, labels and statuses by name.
+
+        Returns
+        -------
+        pandas.DataFrame
+            One column per column of the table.
+        """
         import pandas
 
         from pounding._studies.export import readable
@@ -103,30 +151,79 @@ class Study(Rows):
         return pandas.DataFrame(readable(self), index=pandas.RangeIndex(len(self), name="row"))
 
     def to_xarray(self) -> xarray.Dataset:
-        """The columns over the dimensions record, point and level, with units; each factor of a grid is a
-        dimension."""
+        """The columns over the dimensions record, point and level, with units; each factor of a grid is a dimension.
+
+        Returns
+        -------
+        xarray.Dataset
+            The columns.
+        """
         from pounding._studies.export import to_xarray
 
         return to_xarray(self)
 
     @takes(path=arguments.file)
     def to_csv(self, path: File, **values: float | str) -> None:
-        """Writes all rows as text, or finished ones with these values of factors, one line per row, below a header of
-        names with units. Raises InputError if the
-        file exists and is not such a table, OSError."""
+        """Writes all rows as text, one line per row, below a header of names with units.
+
+        Parameters
+        ----------
+        path : str or os.PathLike
+            File to write; an existing one must be such a table.
+        **values : float or str
+            Values of factors, to write the finished rows with them only.
+
+        Raises
+        ------
+        InputError
+            The file may not be replaced.
+        OSError
+            The file cannot be written.
+        """
         from pounding._studies.export import to_csv
 
         to_csv(self, path, **values)
 
     @takes(path=arguments.file)
     def to_parquet(self, path: File, **values: float | str) -> None:
-        """Writes all rows as Parquet, with units. Needs PyArrow. Raises the same errors as `to_csv`."""
+        """Writes all rows as Parquet, with units. Needs PyArrow.
+
+        Parameters
+        ----------
+        path : str or os.PathLike
+            File to write; an existing one must be such a table.
+        **values : float or str
+            As for `to_csv`.
+
+        Raises
+        ------
+        InputError
+            The file may not be replaced.
+        OSError
+            The file cannot be written.
+        """
         from pounding._studies.export import to_parquet
 
         to_parquet(self, path, **values)
 
     def model_of(self, row: int) -> str:
-        """The input of one row, from 0, for `pounding run`. Raises InputError for an invalid index."""
+        """The input of one row, for `pounding run`.
+
+        Parameters
+        ----------
+        row : int
+            Index of the row, from 0.
+
+        Returns
+        -------
+        str
+            Text in YAML.
+
+        Raises
+        ------
+        InputError
+            There is no such row.
+        """
         row = arguments.whole(0, len(self) - 1)("row", row)
         given = located(self.description, Path() if self.path is None else self.path.parent)
         factors = tuple(
@@ -149,10 +246,25 @@ class Study(Rows):
         return yaml_text.emit(template.case(values, int(self["record"][row]), float(self["scale"][row])))
 
     def evaluate(self, factors: Mapping[str, float]) -> dict[str, np.ndarray]:
-        """Runs all records and levels for one set of factors (SI) in this process: column -> [record times level].
+        """Runs all records and levels for one set of factors in this process.
 
-        A plain function for scipy.optimize, pymoo or Optuna. Columns of a collapsed row are infinite. Raises InputError
-        for a failed row."""
+        A plain function for scipy.optimize, pymoo or Optuna.
+
+        Parameters
+        ----------
+        factors : mapping
+            Value of each factor in SI.
+
+        Returns
+        -------
+        dict of str to numpy.ndarray
+            [record times level] by column. Columns of a collapsed row are infinite.
+
+        Raises
+        ------
+        InputError
+            A factor is missing, or a row failed.
+        """
         if self.plan is None:
             raise InputError("a table opened from a file cannot run models; create the study with pounding.study(...)")
         factors = {
@@ -221,14 +333,48 @@ def study(
 ) -> Study:
     """Runs a study: a study file, or a model with the keys of `study:` as arguments (guide, "Studies").
 
-    `output` is the HDF5 file of the table, from which a killed study resumes; without it the table is in memory. By
-    default, rows of the kernel run on threads and rows of the solver in one process per core. `workers` is the number
-    of processes for all rows; 0 runs them in this process. Scripts that use processes need the guard
-    `if __name__ == "__main__":`. `executor` is any concurrent.futures.Executor, such as MPIPoolExecutor or Dask's
-    Client.get_executor().
+    By default, rows of the kernel run on threads and rows of the solver in one process per core. Scripts that use
+    processes need the guard `if __name__ == "__main__":`.
 
-    Raises InputError for a wrong plan before any row runs, OSError if the table cannot be written, and SolverError if
-    more than `stop_after` of the rows fail. Finished chunks are kept in the last two cases."""
+    Parameters
+    ----------
+    model : Model, str or os.PathLike
+        A study file, or a model or its file.
+    factors, records, intensity, keep, sampling, without_links, limits, seed
+        Keys of `study:`.
+    stop_after : float or str
+        Fraction of failed rows that ends the study.
+    output : str or os.PathLike, optional
+        HDF5 file of the table, from which a killed study resumes; by default the table is in memory.
+    workers : int, optional
+        Number of processes for all rows; 0 runs them in this process.
+    executor : concurrent.futures.Executor, optional
+        Executor for the rows, such as MPIPoolExecutor or Dask's Client.get_executor().
+    chunk : int, optional
+        Number of rows per task.
+    progress : callable or bool, optional
+        Function that reports the progress; False hides it.
+
+    Returns
+    -------
+    Study
+        The table.
+
+    Raises
+    ------
+    InputError
+        The plan is wrong; no row has run.
+    OSError
+        The table cannot be written. Finished chunks are kept.
+    SolverError
+        More than `stop_after` of the rows fail. Finished chunks are kept.
+
+    Examples
+    --------
+    >>> table = pounding.study(model, {"gap": {"of": "links.*.gap", "list": ["10 mm", "20 mm"]}}, workers=0, progress=False)
+    >>> table["gap"]
+    array([0.01, 0.02])
+    """
     words = {
         "factors": factors,
         "records": records,
@@ -271,10 +417,36 @@ def sweep(
     keep: Sequence[str | Callable[[Mapping[str, Any]], Any]] | None = None,
     workers: int = 0,
 ) -> Study:
-    """Runs all combinations of values, for every record: `sweep(model, {"links.*.gap": ["10 mm", "20 mm"]})`.
+    """Runs all combinations of values, for every record.
 
-    Runs in this process unless `workers` is given. Each column has the name of the last key of its path, with a number
-    if the name is taken."""
+    Parameters
+    ----------
+    model : Model, str or os.PathLike
+        A model, or the name of its file.
+    factors : mapping
+        Values by path. Each column has the name of the last key of its path, with a number if the name is taken.
+    records : sequence, optional
+        Files of records.
+    keep : sequence, optional
+        Columns of results.
+    workers : int
+        Number of processes; 0 runs in this process.
+
+    Returns
+    -------
+    Study
+        The table.
+
+    Raises
+    ------
+    InputError
+        The plan is wrong.
+
+    Examples
+    --------
+    >>> len(pounding.sweep(model, {"links.*.gap": ["10 mm", "20 mm"]}))
+    2
+    """
     if not isinstance(factors, Mapping):
         raise InputError(
             f'sweep: factors takes a map of paths and their values, such as {{"links.*.gap": ["10 mm", "20 mm"]}}; {excerpt(factors)} was read'

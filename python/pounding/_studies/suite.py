@@ -37,16 +37,44 @@ class Suite(SuiteData):
     """The runs of a suite, with their pictures and report."""
 
     def profiles(self, quantities: Sequence[str] | None = None, **options: Any) -> Figure:
-        """Profiles over the height: records thin, mean and 84 % thick, with and without pounding. See
-        `pounding._studies.suite_picture`."""
+        """Profiles over the height: records thin, mean and 84 % thick, with and without pounding.
+
+        Parameters
+        ----------
+        quantities : sequence of str, optional
+            Quantities to draw.
+        **options
+            Options of the picture.
+
+        Returns
+        -------
+        matplotlib.figure.Figure
+            The picture.
+        """
         from pounding._studies.suite_picture import profiles_figure
 
         return profiles_figure(self, quantities, **options)
 
     @takes(path=arguments.file)
     def report(self, path: File, *, percent: float = 84.0) -> None:
-        """Writes the report, .pdf or .html, with mean, this percentile and maximum. Raises InputError for another
-        suffix and for a file that is not a report, OSError, ImportError without matplotlib."""
+        """Writes the report of the suite.
+
+        Parameters
+        ----------
+        path : str or os.PathLike
+            File to write, .pdf or .html; an existing one must be a report.
+        percent : float
+            Percentile to report with mean and maximum.
+
+        Raises
+        ------
+        InputError
+            The suffix is another one, or the file may not be replaced.
+        OSError
+            The file cannot be written.
+        ImportError
+            matplotlib is missing.
+        """
         from pounding._report import write_suite_report
 
         write_suite_report(self, path, percent=percent)
@@ -135,12 +163,46 @@ def suite(
     executor: Executor | None = None,
     progress: Progress | bool | None = None,
 ) -> Suite:
-    """Runs a model under each record of a suite with the solver: the file of a suite, or a model with its `records`
-    and `scale_to` (guide, "Suites of records").
+    """Runs a model under each record of a suite with the solver (guide, "Suites of records").
 
-    `output` is the HDF5 file of the table, from which a killed suite resumes. `workers` is the number of processes (by
-    default one per core); 0 runs in this process. A model with `compare: no_pounding` also runs without links. The
-    numbers are bitwise the same for any number of workers. Raises InputError, OSError, SolverError."""
+    A model with `compare: no_pounding` also runs without links. The numbers are bitwise the same for any number of
+    workers.
+
+    Parameters
+    ----------
+    model : Model, str or os.PathLike
+        The file of a suite, or a model with its `records`.
+    records : mapping or sequence, optional
+        Records of the suite.
+    scale_to : mapping, optional
+        Target of the scaling.
+    output : str or os.PathLike, optional
+        HDF5 file of the table, from which a killed suite resumes.
+    workers : int, optional
+        Number of processes, by default one per core; 0 runs in this process.
+    executor : concurrent.futures.Executor, optional
+        Executor for the runs.
+    progress : callable or bool, optional
+        Function that reports the progress; False hides it.
+
+    Returns
+    -------
+    Suite
+        The table.
+
+    Raises
+    ------
+    InputError
+        The plan is wrong.
+    OSError
+        The table cannot be written.
+    SolverError
+        A run failed.
+
+    Examples
+    --------
+    >>> pounding.suite("suite.yaml").statistics("peak_force")  # doctest: +SKIP
+    """
     require_count("workers", workers, 0)
     path = None if output is None else Path(arguments.file("output", output))
     if path is not None:

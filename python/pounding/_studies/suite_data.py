@@ -49,7 +49,13 @@ class SuiteData(Study):
 
     @property
     def layout(self) -> Mapping[str, Any]:
-        """Structures and links with their contents. Raises InputError for the table of a study."""
+        """Structures and links with their contents.
+
+        Raises
+        ------
+        InputError
+            The table is that of a study.
+        """
         if "suite" not in self.description:
             raise InputError(
                 f"{self.path} is the table of a study, not of a suite; type pounding study show {self.path}"
@@ -101,7 +107,23 @@ class SuiteData(Study):
         return any(column.endswith(".alone") for column in self.columns)
 
     def structure(self, name: str) -> Mapping[str, Any]:
-        """Contents of a structure. Raises InputError."""
+        """Contents of a structure.
+
+        Parameters
+        ----------
+        name : str
+            Name of the structure.
+
+        Returns
+        -------
+        mapping
+            Its quantities, floors, members, components, parts and hinges.
+
+        Raises
+        ------
+        InputError
+            There is no such structure.
+        """
         for one in self.layout["structures"]:
             if one["name"] == name:
                 found: Mapping[str, Any] = one
@@ -109,21 +131,73 @@ class SuiteData(Study):
         raise InputError(f'unknown structure "{name}"; known: {", ".join(self.structures)}')
 
     def floors(self, structure: str, quantity: str, *, alone: bool = False) -> np.ndarray:
-        """[record, floor] largest absolute values: displacement, drift, acceleration, drift_ratio, storey_shear or
-        residual_drift, in SI; `alone` for the run without links. Raises InputError."""
+        """Largest absolute values of the floors of a structure.
+
+        Parameters
+        ----------
+        structure : str
+            Name of the structure.
+        quantity : str
+            displacement, drift, acceleration, drift_ratio, storey_shear or residual_drift.
+        alone : bool
+            True for the runs without links.
+
+        Returns
+        -------
+        numpy.ndarray
+            [record, floor] in SI.
+
+        Raises
+        ------
+        InputError
+            There is no such structure or quantity.
+        """
         one = self.structure(structure)
         if quantity not in one["quantities"]:
             raise InputError(f'{structure} has no "{quantity}"; it has {", ".join(one["quantities"])}')
         return self._columns([f"{quantity}.{structure}.{i + 1}" for i in range(one["floors"])], alone)
 
     def members(self, structure: str, *, alone: bool = False) -> np.ndarray:
-        """[record, member, component] largest absolute end forces, in the order of `structure(name)`. [N], [N m]."""
+        """Largest absolute end forces of the members of a structure.
+
+        Parameters
+        ----------
+        structure : str
+            Name of the structure.
+        alone : bool
+            True for the runs without links.
+
+        Returns
+        -------
+        numpy.ndarray
+            [record, member, component] in the order of `structure(name)` [N], [N m].
+        """
         one = self.structure(structure)
         names = [f"member_force.{structure}.{member}.{kind}" for member in one["members"] for kind in one["components"]]
         return self._columns(names, alone).reshape(len(self), len(one["members"]), len(one["components"]))
 
     def parts(self, structure: str, quantity: str, *, alone: bool = False) -> np.ndarray:
-        """[record, part] ductility of yielding parts, or plastic_rotation of hinges [rad]. Raises InputError."""
+        """Responses of the yielding parts of a structure.
+
+        Parameters
+        ----------
+        structure : str
+            Name of the structure.
+        quantity : str
+            ductility, or plastic_rotation of hinges [rad].
+        alone : bool
+            True for the runs without links.
+
+        Returns
+        -------
+        numpy.ndarray
+            [record, part].
+
+        Raises
+        ------
+        InputError
+            There is no such structure or quantity.
+        """
         if quantity not in ("ductility", "plastic_rotation"):
             raise InputError(f'unknown quantity "{quantity}"; known: ductility, plastic_rotation')
         one = self.structure(structure)
@@ -131,7 +205,23 @@ class SuiteData(Study):
         return self._columns([f"{quantity}.{structure}.{part}" for part in among], alone)
 
     def of_links(self, quantity: str) -> np.ndarray:
-        """[record, link] force, penetration, impacts, impulse or energy_lost; NaN for links without it."""
+        """A quantity of the links.
+
+        Parameters
+        ----------
+        quantity : str
+            force, penetration, impacts, impulse or energy_lost.
+
+        Returns
+        -------
+        numpy.ndarray
+            [record, link]; NaN for links without it.
+
+        Raises
+        ------
+        InputError
+            There is no such quantity.
+        """
         known = list(dict.fromkeys(each for link in self.layout["links"] for each in link["quantities"]))
         if quantity not in known:
             raise InputError(f'unknown quantity "{quantity}" of links; known: {", ".join(known)}')
@@ -140,7 +230,20 @@ class SuiteData(Study):
 
     @takes(percent=listed(number(0, 100), "a list of percentages"))
     def statistics(self, values: np.ndarray, percent: Sequence[float] = PERCENTS) -> Statistics:
-        """Statistics over the finished records of an array [record, ...]. Failed records are excluded, see `failed`."""
+        """Statistics over the finished records. Failed records are excluded, see `failed`.
+
+        Parameters
+        ----------
+        values : numpy.ndarray
+            [record, ...] values.
+        percent : sequence of float
+            Percentages of the percentiles.
+
+        Returns
+        -------
+        Statistics
+            Mean, percentiles and maximum.
+        """
         return Statistics.of(np.asarray(values)[self.finished], percent)
 
     def _columns(self, names: Sequence[str], alone: bool) -> np.ndarray:
