@@ -171,9 +171,9 @@ TEST_P(Coupled, ContinueFromASavedStateWithTheSameBits) {
     test::march_evenly(stepper, 0.6, 0.01);
     other.restore(stepper.save());
     for (Stepper* each : {&stepper, &other}) test::march_evenly(*each, 1.2, 0.01);
-    EXPECT_EQ(stepper.view().state().u, other.state().u);
-    EXPECT_EQ(stepper.view().state().v, other.state().v);
-    EXPECT_EQ(stepper.view().energies().hysteretic, other.energies().hysteretic);
+    EXPECT_EQ(stepper.view().state().u, other.view().state().u);
+    EXPECT_EQ(stepper.view().state().v, other.view().state().v);
+    EXPECT_EQ(stepper.view().energies().hysteretic, other.view().energies().hysteretic);
     EXPECT_GT(stepper.view().energies().hysteretic, 0);
   }
 }

@@ -289,14 +289,10 @@ TEST_P(WithFriction, AnArchiveGoesOnWithTheSameBits) {
   const StepperOptions options{.tolerance = 1e-5, .scheme = scheme, .max_step = 0.01};
   Stepper first(whole.system, base, options), other(continued.system, second, options);
   first.start(0, Eigen::Vector4d::Zero(), Eigen::Vector4d::Zero());
-  for (double t = 0.1007; !first.in_contact(); t += 2e-3) test::march(first, t, 0.01);
-  Archive archive;
-  first.archive(archive);
-  Archive read(archive.bytes());
-  other.archive(read);
-  read.expect_end();
+  for (double t = 0.1007; !first.view().in_contact(); t += 2e-3) test::march(first, t, 0.01);
+  other.restore(first.save());
   EXPECT_EQ(bits_of(first), bits_of(other));
-  const double end = first.time() + 0.7;
+  const double end = first.view().time() + 0.7;
   test::march(first, end, 0.01);
   test::march(other, end, 0.01);
   EXPECT_EQ(bits_of(first), bits_of(other));
