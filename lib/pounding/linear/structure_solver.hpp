@@ -53,6 +53,7 @@ struct SolverLayout {
   /// The groups on this process. Sums over coordinates are sums over the segments: a solver may append coordinates that
   /// belong to none.
   std::vector<Segment> segments;
+  /// Step lengths that this solver handles efficiently.
   StepLengths step_lengths = StepLengths::any;
   /// Reduced structures, without their errors.
   std::vector<ReducedStructure> reduced;
@@ -67,6 +68,7 @@ class Coordinates {
  public:
   virtual ~Coordinates() = default;
 
+  /// Constant data.
   const SolverLayout& layout() const { return layout_; }
   /// Number of coordinates on this process.
   int size() const { return static_cast<int>(layout_.load.rows()); }

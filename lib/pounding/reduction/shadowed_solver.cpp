@@ -56,16 +56,18 @@ Eigen::MatrixXd ShadowedSolver::others_of(const Eigen::Ref<const Eigen::MatrixXd
 }
 
 void ShadowedSolver::gather_shadow(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::MatrixXd& relative) const {
+  shadow_.gather(shadow_of(x), relative);
+  if (!has_others()) return;
   Eigen::MatrixXd by_others;
   run_.gather(others_of(x), by_others);
-  shadow_.gather(shadow_of(x), relative);
   relative += by_others;
 }
 
 void ShadowedSolver::observe_shadow(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::MatrixXd& values) const {
+  shadow_.observe(shadow_of(x), values);
+  if (!has_others()) return;
   Eigen::MatrixXd of_others;
   run_.observe(others_of(x), of_others);
-  shadow_.observe(shadow_of(x), values);
   values += of_others;
 }
 

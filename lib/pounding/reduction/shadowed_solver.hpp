@@ -73,6 +73,7 @@ class ShadowedSolver final : public StructureSolver {
     int first = 0;  // coordinate of the shadow
     std::shared_ptr<const ShadowModes> modes;
   };
+  bool has_others() const { return bases_.size() < layout_.segments.size(); }
   Eigen::MatrixXd others_of(const Eigen::Ref<const Eigen::MatrixXd>& x) const;
 
   ModalSolver run_, shadow_;
