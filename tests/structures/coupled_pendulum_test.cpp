@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include <pounding/structures/coupled_pendulum.hpp>
+#include <pounding/structures/make_spring.hpp>
 #include "support/bearing_references.hpp"
 #include "support/book.hpp"
 #include "support/elements.hpp"
@@ -90,6 +91,40 @@ TEST(CoupledPendulum, FollowsATurnWithinAStep) {
   EXPECT_NEAR(a[0], b[0], 2e-2 * 6e4);
   EXPECT_NEAR(a[1], b[1], 2e-2 * 6e4);
   EXPECT_NEAR(one.lost(), many.lost(), 1e-2 * many.lost());
+}
+
+TEST(CoupledPendulum, ReversesWithinAStepAsInOneDirection) {
+  const auto spring = make_spring(
+      {.law = "friction_pendulum",
+       .values = {{"weight", constant.weight}, {"radius", 2}, {"friction", 0.06}, {"yield_displacement", 1e-3}}});
+  const CoupledPendulum element(constant);
+  ElementRun run(element);
+  LinkStep step;
+  step.end = 0.2;
+  for (const auto& [d, begin, end] : {std::array{20e-3, 0.1, 0.1}, {15e-3, 0.1, -0.2}, {30e-3, -0.2, 0.3}}) {
+    step.motion_begin = {step.motion_end.penetration, begin};
+    step.motion_end = {d, end};
+    spring->accept(step);
+    run.step({0.6 * d, 0.8 * d}, {0.6 * begin, 0.8 * begin}, {0.6 * end, 0.8 * end}, step.end);
+    const double expected = spring->evaluate({d, 0}).force + spring->stiffness() * d;
+    EXPECT_NEAR(run.force(run.d())[0], 0.6 * expected, 1e-9 * constant.weight);
+    EXPECT_NEAR(run.force(run.d())[1], 0.8 * expected, 1e-9 * constant.weight);
+    EXPECT_NEAR(run.lost(), spring->lost(), 1e-9 * constant.weight);
+  }
+}
+
+TEST(CoupledPendulum, LosesTheFrictionOfEachSpeed) {
+  const CoupledPendulum element(by_rate);
+  ElementRun run(element);
+  run.step({20e-3, 0}, {0.2, 0}, {0.2, 0}, 0.1);
+  const double before = run.lost(), h = 0.1;
+  // The speed decreases linearly from 0.2 to 0.15 m/s, and the elastic deformation with the friction. The loss is the
+  // sum of eight trapezoids.
+  run.step({20e-3 + 0.175 * h, 0}, {0.2, 0}, {0.15, 0}, h);
+  const auto force = [](double v) { return by_rate.coefficient(v) * by_rate.weight; };
+  const double work = gauss_integral([&](double s) { return force(0.2 - 0.05 * s) * (0.2 - 0.05 * s) * h; }, 0, 1);
+  const double released = (force(0.2) * force(0.2) - force(0.15) * force(0.15)) / (2 * by_rate.stick());
+  EXPECT_NEAR(run.lost() - before, work + released, 3e-4 * work);
 }
 
 TEST(CoupledPendulum, RejectsWrongParameters) {
