@@ -23,7 +23,7 @@ void run_alone();
 /// others.
 void leave_the_others();
 
-/// Use of PETSc, whose options apply to the whole process. Runs without options of their own share it and proceed in
+/// Use of PETSc, whose options apply to the whole process. Runs without options share it and proceed in
 /// parallel; a run with options uses it alone.
 enum class PetscUse { shared, alone };
 

@@ -150,15 +150,15 @@ class Meeting {
     std::unique_lock lock(mutex_);
     ++arrived_;
     changed_.notify_all();
-    met_ = changed_.wait_for(lock, std::chrono::seconds(20), [&] { return arrived_ >= 2; });
+    if (!changed_.wait_for(lock, std::chrono::seconds(20), [&] { return arrived_ >= 2; })) missed_ = true;
   }
-  bool met() const { return met_; }
+  bool met() const { return arrived_ >= 2 && !missed_; }
 
  private:
   std::mutex mutex_;
   std::condition_variable changed_;
   int arrived_ = 0;
-  bool met_ = false;
+  bool missed_ = false;
 };
 
 // A linear spring whose first evaluation in a step of the run takes place in two threads simultaneously.
