@@ -28,7 +28,7 @@ export OPENBLAS_NUM_THREADS ?= 1
 
 CTEST = ctest --test-dir $(BUILD) --output-on-failure --no-tests=error --parallel $(JOBS)
 
-.PHONY: build program test test-all test-sanitized test-damage test-petsc-headers fuzz demo announce format format-check docs wheel test-wheel \
+.PHONY: build program test test-all test-sanitized test-threads test-damage test-petsc-headers fuzz demo announce format format-check docs wheel test-wheel \
   portable-wheel test-portable-wheel release python python-test petsc packages-demo packages clean distclean help
 
 build: $(BUILD)/with-tests
@@ -53,6 +53,12 @@ petsc: $(petsc_ready)
 test-sanitized: | packages
 	cmake --preset sanitize
 	bash tests/sanitized.sh build-sanitize $(PART) $(JOBS)
+
+# Runs in several threads under the thread sanitizer: the libraries and one test program.
+test-threads: | packages
+	cmake --preset threads
+	cmake --build build-threads --parallel $(JOBS) --target test_threads
+	build-threads/tests/run/test_threads --gtest_brief=1
 
 test-damage: build
 	POUNDING_PROGRAM=$(CURDIR)/build/pounding PYTHONPATH=$(CURDIR)/build/python POUNDING_PYTHON=$(CURDIR)/.venv-test/bin/python3 \
@@ -152,7 +158,7 @@ $(petsc_ready):
 endif
 
 clean:
-	rm -rf build build-fuzz build-sanitize build-petsc-* demo.h5 demo.png
+	rm -rf build build-fuzz build-sanitize build-threads build-petsc-* demo.h5 demo.png
 
 distclean: clean
 	rm -rf .venv .venv-test
@@ -161,6 +167,7 @@ help:
 	@echo "make demo       install packages, compile the program, run two frames during an earthquake: demo.h5, demo.png"
 	@echo "make test       install packages, compile everything, run all but the long tests; test-all: all tests"
 	@echo "make test-sanitized   unit tests under the address and undefined-behaviour sanitizers; PART=quick for a subset"
+	@echo "make test-threads     runs in several threads under the thread sanitizer"
 	@echo "make test-damage      COUNT=n damaged results files, by every reader"
 	@echo "make test-petsc-headers   VERSIONS=\"3.22.5 3.26.1\": compile the sources that call PETSc against their headers"
 	@echo "make fuzz       MINUTES=n: look for inputs that crash or hang; installs Clang"
@@ -174,5 +181,5 @@ help:
 	@echo "                test-portable-wheel tests the one of python3 in a new environment"
 	@echo "make release    source archive and portable wheels, checksums, notes of the version: build/release"
 	@echo "make python     the Python environment .venv for pictures; python-test: .venv-test, for tests and builds"
-	@echo "make clean      remove build/, build-fuzz/, build-sanitize/ and the demo's files; distclean also removes .venv and .venv-test"
+	@echo "make clean      remove build/, build-fuzz/, build-sanitize/, build-threads/ and the demo's files; distclean also removes .venv and .venv-test"
 	@echo "JOBS=$(JOBS) processes are used"
