@@ -9,12 +9,12 @@
 #include <pounding/ground/record.hpp>
 #include <pounding/ground/spectrum.hpp>
 #include <pounding/ground/synthetic.hpp>
+#include <pounding/hysteresis.hpp>
 #include <pounding/input/collision.hpp>
 #include <pounding/input/read_model.hpp>
 #include <pounding/input/resolved.hpp>
 #include <pounding/links.hpp>
 #include <pounding/model/contact_law.hpp>
-#include <pounding/model/ground_plan.hpp>
 #include <pounding/model/model.hpp>
 #include <pounding/model/modes.hpp>
 #include <pounding/model/neighbours.hpp>

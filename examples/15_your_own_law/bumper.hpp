@@ -4,7 +4,7 @@
 #include <stdexcept>
 #include <string_view>
 
-#include <pounding/laws/law.hpp>
+#include <pounding/laws.hpp>
 
 /// F = (k d + b d^3) (1 + mu d')
 ///

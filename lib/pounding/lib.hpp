@@ -5,19 +5,11 @@
 ///     pounding::run                  runs a model, on one process or on a communicator of the host
 ///     pounding::Results              histories in memory; write_results() writes them to an HDF5 file
 ///
-/// A host with its own time integrator finds the links in pounding/links.hpp. A host that drives PETSc's TS finds the
-/// TS type `pounding` in pounding/stepping/ts_pounding.hpp.
-///
+/// A host with its own time integrator, such as a TS of PETSc, finds the links in pounding/links.hpp.
 
 #include <pounding/elements.hpp>
 #include <pounding/linear/lowest_modes.hpp>
-#include <pounding/petsc/collective_exit.hpp>
 #include <pounding/petsc/environment.hpp>
-#include <pounding/petsc/handle.hpp>
-#include <pounding/petsc/launch.hpp>
-#include <pounding/petsc/ranks.hpp>
 #include <pounding/results/results.hpp>
 #include <pounding/results/summary.hpp>
-#include <pounding/run/restart.hpp>
 #include <pounding/run/run.hpp>
-#include <pounding/stepping/ts_pounding.hpp>

@@ -8,6 +8,7 @@
 #include <unsupported/Eigen/MatrixFunctions>
 
 #include <pounding/elements.hpp>
+#include <pounding/model/system.hpp>
 #include "reproduce/impacts.hpp"
 #include "reproduce/items.hpp"
 

@@ -40,24 +40,38 @@ class Item:
         return bool(self.doc) or self.shares or self.elsewhere
 
 
-def installed_headers() -> list[Path]:
-    """The headers that cmake/install_headers.cmake installs, except version.hpp: the public headers and their includes."""
-    parts = [ROOT / "elements", ROOT / "lib"]
-    pending = [
-        path
-        for part in parts
-        for folder in ("", "laws", "hysteresis")
-        for path in (part / "pounding" / folder).glob("*.hpp")
-    ]
-    found = set()
+def public_headers() -> tuple[list[str], list[str]]:
+    """Installed headers: those with all headers that they include in one file, and the others."""
+    text = (ROOT / "cmake/install_headers.cmake").read_text()
+    bundles, headers = (
+        re.search(rf"(?m)^set\({name}\s([^)]*)\)", text).group(1).split() for name in ("bundles", "headers")
+    )
+    return bundles, headers
+
+
+def source_of(header: str) -> Path:
+    """The file that `#include <pounding/...>` means; that of a generated header is its template."""
+    paths = (ROOT / part / f"{header}{suffix}" for part in ("elements", "lib") for suffix in ("", ".in"))
+    return next(path for path in paths if path.exists())
+
+
+def bundled_headers() -> set[str]:
+    """Headers that are installed inside of another one."""
+    bundles, _ = public_headers()
+    found, pending = set(), list(bundles)
     while pending:
-        path = pending.pop()
-        if path in found:
-            continue
-        found.add(path)
-        included = re.findall(r'(?m)^#include [<"](pounding/[^>"]*)[>"]', path.read_text())
-        pending += [part / header for header in included for part in parts if (part / header).exists()]
-    return sorted(found) + [ROOT / "elements/c/pounding.h"]
+        header = pending.pop()
+        if header not in found:
+            found.add(header)
+            pending += re.findall(r"(?m)^#include <(pounding/[^>]*)>", source_of(header).read_text())
+    return found - set(bundles)
+
+
+def installed_headers() -> list[Path]:
+    """Sources of the headers that cmake/install_headers.cmake installs, except version.hpp."""
+    bundles, headers = public_headers()
+    names = {*bundles, *headers, *bundled_headers()} - {"pounding/core/version.hpp"}
+    return sorted(map(source_of, names)) + [ROOT / "elements/c/pounding.h"]
 
 
 def headers_at(place: Path) -> list[Path]:

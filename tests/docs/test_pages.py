@@ -24,7 +24,7 @@ def pages():
 
 
 def header_exists(path):
-    return any((ROOT / part / path).is_file() for part in PARTS)
+    return any((ROOT / part / f"{path}{suffix}").is_file() for part in PARTS for suffix in ("", ".in"))
 
 
 def anchors(path):

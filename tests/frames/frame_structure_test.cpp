@@ -17,6 +17,7 @@
 #include <pounding/frames/frame_structure.hpp>
 #include <pounding/frames/sections.hpp>
 #include <pounding/input/frames/frame_input.hpp>
+#include <pounding/structures/elastic_forces.hpp>
 #include "support/book.hpp"
 #include "support/dense.hpp"
 #include "support/messages.hpp"

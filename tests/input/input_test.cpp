@@ -14,6 +14,7 @@
 #include <gtest/gtest.h>
 
 #include <pounding/core/error.hpp>
+#include <pounding/input/keys/key.hpp>
 #include "support/messages.hpp"
 
 namespace pounding {

@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include <pounding/model/system.hpp>
+
 #include "support/book.hpp"
 #include "support/messages.hpp"
 #include "support/runs.hpp"

@@ -13,6 +13,7 @@
 #include <fmt/format.h>
 
 #include <pounding/model/model.hpp>
+#include <pounding/model/system.hpp>
 #include "support/book.hpp"
 #include "support/dense.hpp"
 #include "support/runs.hpp"

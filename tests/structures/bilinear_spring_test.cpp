@@ -12,6 +12,7 @@
 #include <yaml-cpp/yaml.h>
 
 #include <pounding/input/resolved.hpp>
+#include <pounding/model/system.hpp>
 #include <pounding/structures/oscillators.hpp>
 #include "support/bilinear_spring.hpp"
 #include "support/models.hpp"

@@ -12,6 +12,7 @@
 
 #include <pounding/input/resolved.hpp>
 #include <pounding/model/modes.hpp>
+#include <pounding/model/system.hpp>
 #include <pounding/structures/damping.hpp>
 #include <pounding/structures/oscillators.hpp>
 #include "support/book.hpp"

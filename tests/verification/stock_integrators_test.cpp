@@ -20,6 +20,7 @@
 #include <fmt/format.h>
 
 #include <pounding/laws/all.hpp>
+#include <pounding/model/system.hpp>
 #include <pounding/petsc/environment.hpp>
 #include <pounding/petsc/handle.hpp>
 #include <pounding/petsc/version.hpp>

@@ -16,8 +16,6 @@ inline constexpr double bytes_of_unknown = 8e3;
 inline constexpr double links = 1e5;
 /// Output times of a run.
 inline constexpr double outputs = 1e7;
-/// Default and maximum number of steps of a run, see analysis: {most_steps: ...}. PETSc counts steps in 32 bits.
-inline constexpr long usual_steps = 100'000'000, max_steps = 2'000'000'000;
 /// Steps that integrate the oscillators of all periods of a response spectrum: a few minutes.
 inline constexpr double spectrum_steps = 2e10;
 

@@ -173,6 +173,8 @@ Input Input::child(std::string_view key, const YAML::Node& key_node, const YAML:
   return made;
 }
 
+bool Input::knows(std::string_view key) const { return section_ && section_->find(key); }
+
 Input Input::in(const keys::Section& section) const {
   Input same = *this;
   same.section_ = &section;

@@ -15,10 +15,15 @@
 #include <yaml-cpp/yaml.h>
 
 #include <pounding/core/units.hpp>
-#include <pounding/input/bounds.hpp>
-#include <pounding/input/keys/key.hpp>
 
 namespace pounding {
+
+struct Bounds;
+
+namespace keys {
+struct Key;
+struct Section;
+}  // namespace keys
 
 /// A node of a YAML file with its location. Cheap to copy; the text of the file lives as long as any of its nodes.
 ///
@@ -76,7 +81,7 @@ class Input {
   /// This node with the keys of a section.
   Input in(const keys::Section& section) const;
   /// True if the section of this node has the key.
-  bool knows(std::string_view key) const { return section_ && section_->find(key); }
+  bool knows(std::string_view key) const;
 
   /// The child with this key; `nullopt` if there is none.
   std::optional<Input> find(std::string_view key) const;

@@ -9,6 +9,7 @@
 #include <pounding/model/ground_plan.hpp>
 #include <pounding/model/model.hpp>
 #include <pounding/model/start/start.hpp>
+#include <pounding/model/system.hpp>
 
 namespace pounding {
 namespace {

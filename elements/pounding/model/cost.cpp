@@ -65,7 +65,7 @@ void require_steps(const Model& model) {
   const double maximum = static_cast<double>(model.analysis.max_steps);
   const Steps minimum = min_steps(model);
   if (!(minimum.count > maximum)) return;
-  const bool can_be_raised = minimum.count < limits::max_steps;
+  const bool can_be_raised = minimum.count < max_step_count;
   refuse_analysis(
       fmt::format("a run of {:g} s takes at least {:.3g} steps, but at most {:.10g} are allowed: {}; check the units, "
                   "or type analysis: "

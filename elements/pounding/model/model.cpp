@@ -325,8 +325,8 @@ void Model::check_settings() const {
   if (analysis.duration > 0 && analysis.output_step > analysis.duration)
     refuse(fmt::format("the output_step of {:g} s is longer than the duration of {:g} s", analysis.output_step,
                        analysis.duration));
-  if (analysis.max_steps < 1 || analysis.max_steps > limits::max_steps)
-    refuse(fmt::format("most_steps must be in [1, {}]; {} was given", limits::max_steps, analysis.max_steps));
+  if (analysis.max_steps < 1 || analysis.max_steps > max_step_count)
+    refuse(fmt::format("most_steps must be in [1, {}]; {} was given", max_step_count, analysis.max_steps));
   if (const std::string text = fault_of_collapse(structures, analysis.collapse_drift); !text.empty()) refuse(text);
   if (const double radius = analysis.scheme.spectral_radius; !(radius >= 0 && radius <= 1))
     refuse(fmt::format("the spectral_radius must be in [0, 1]; {:g} was given", radius));

@@ -12,7 +12,6 @@
 #include <variant>
 #include <vector>
 
-#include <pounding/core/limits.hpp>
 #include <pounding/ground/components.hpp>
 #include <pounding/laws/by_name.hpp>
 #include <pounding/links/contact.hpp>
@@ -21,7 +20,6 @@
 #include <pounding/model/model_error.hpp>
 #include <pounding/model/reduction.hpp>
 #include <pounding/model/scheme.hpp>
-#include <pounding/model/system.hpp>
 #include <pounding/structures/device_spring.hpp>
 #include <pounding/structures/one_or_each.hpp>
 #include <pounding/structures/structure.hpp>
@@ -30,6 +28,7 @@
 namespace pounding {
 
 class ContactLaw;
+struct System;
 
 /// One side of a link.
 struct LinkEnd {
@@ -82,6 +81,9 @@ struct Device {
 /// Below the minimum, round-off exceeds the error; above the maximum, impacts are not resolved.
 inline constexpr double min_tolerance = 1e-10, max_tolerance = 0.1;
 
+/// Default and maximum number of steps of a run; PETSc counts steps in 32 bits.
+inline constexpr long default_max_steps = 100'000'000, max_step_count = 2'000'000'000;
+
 /// Time integration of a model. PETSc options may change tolerance and scheme.
 struct AnalysisSettings {
   double duration = 0;      ///< of the run, which starts at time 0 [s]; 0: until the ground motion ends
@@ -91,9 +93,9 @@ struct AnalysisSettings {
   Scheme scheme{};         ///< time integration scheme
   double max_step =
       0;  ///< maximum step [s]; 0: sample spacing of the record, otherwise from the shortest period of the model
-  long max_steps = limits::usual_steps;  ///< maximum number of steps, in [1, limits::most_steps]; the run then ends and
-                                         ///< can be resumed
-  Reduction reduction{};                 ///< default for all structures
+  /// Maximum number of steps, in [1, max_step_count]; the run then ends and can be resumed.
+  long max_steps = default_max_steps;
+  Reduction reduction{};                          ///< default for all structures
   std::map<std::string, Reduction> reductions{};  ///< of single structures, by name
   double collapse_drift = 0;  ///< storey drift ratio at which the run ends as completed [-]; 0: none
 };

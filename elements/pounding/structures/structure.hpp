@@ -13,12 +13,13 @@
 #include <vector>
 
 #include <pounding/ground/components.hpp>
-#include <pounding/structures/elastic_forces.hpp>
 #include <pounding/structures/massless.hpp>
 #include <pounding/structures/spring.hpp>
 #include <pounding/structures/yield_limits.hpp>
 
 namespace pounding {
+
+class ElasticForces;
 
 /// A quantity as factors of the unknowns.
 using Row = Eigen::SparseVector<double>;

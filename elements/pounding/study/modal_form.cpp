@@ -8,6 +8,7 @@
 
 #include <pounding/links/gap_contact.hpp>
 #include <pounding/model/ground_plan.hpp>
+#include <pounding/model/system.hpp>
 #include <pounding/structures/structure_damping.hpp>
 
 namespace pounding::study {

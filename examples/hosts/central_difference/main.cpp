@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <numbers>
 
-#include <pounding/laws/jankowski.hpp>
+#include <pounding/laws.hpp>
 
 namespace laws = pounding::laws;
 using std::numbers::pi;

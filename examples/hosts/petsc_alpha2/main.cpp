@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-#include <pounding/links/gap_link.hpp>
+#include <pounding/links.hpp>
 
 namespace laws = pounding::laws;
 using pounding::LinkMotion, pounding::LinkStep;

@@ -1,5 +1,5 @@
 // A separate code with our laws: semi-implicit Euler, one ball on a wall.
-#include <pounding/laws/all.hpp>
+#include <pounding/laws.hpp>
 
 #include <cmath>
 #include <cstdio>

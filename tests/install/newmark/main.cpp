@@ -1,6 +1,5 @@
 // A separate code with our gap link, without PETSc: Newmark's average acceleration, a ball on a wall.
-#include <pounding/links/friction.hpp>
-#include <pounding/links/gap_link.hpp>
+#include <pounding/links.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -50,7 +50,7 @@ constexpr Key analysis_keys[] = {
      "0.8"},
     {"max_step", quantity(dimension::time, bounds::positive), otherwise("from the record and the shortest period"),
      "Maximum time step.", "1 ms"},
-    {"most_steps", integer(1, limits::max_steps), otherwise("100000000"),
+    {"most_steps", integer(1, max_step_count), otherwise("100000000"),
      "Maximum number of steps. A run that is known to need more does not start; any other run stops at this number and "
      "can be continued with --resume.",
      "500000000", "0.2.0"},
