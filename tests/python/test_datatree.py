@@ -18,7 +18,7 @@ FRAME = """\
       material: {{E: 30 GPa}}
       grid: {{storeys: 2, bays: 1, storey_height: 3.2 m, bay_width: 6 m, columns: {{rectangle: [0.4, 0.4]}}, beams: {{rectangle: [0.3, 0.5]}}, floor_mass: {mass} t}}
       hinges: {{beams: {{at: both, yield_moment: 60 kN m, hardening: 2 %}}}}
-    output: {{members: all, nodes: all}}
+      report: {{members: [column 1.0], nodes: all}}
     damping: 5 %
 """
 #: Colliding frames that yield, with a device, and the run without links.

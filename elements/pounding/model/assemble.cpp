@@ -125,8 +125,9 @@ System assemble(const Model& model, const Assembly& assembly) {
   system.grounds = plan.motions;
   system.load = Eigen::MatrixXd::Zero(n, static_cast<int>(plan.motions.size()));
   double fastest = 0;
-  for (const Structure& s : model.structures)
-    if (!s.is_rigid()) fastest = std::max(fastest, s.initial_velocity.cwiseAbs().maxCoeff());
+  for (std::size_t i = 0; i < model.structures.size(); ++i)
+    if (const Structure& s = model.structures[i]; included.structures[i] && !s.is_rigid())
+      fastest = std::max(fastest, s.initial_velocity.cwiseAbs().maxCoeff());
   for (std::size_t i = 0; i < model.structures.size(); ++i) {
     const Structure& s = model.structures[i];
     if (s.is_rigid() || !included.structures[i]) continue;
@@ -286,6 +287,10 @@ System assemble(const Model& model, const Assembly& assembly) {
   if (links > 0 && at_rest.cwiseAbs().maxCoeff() > 0) system.gravity_offset = at_rest;
   system.outputs = floor_motions(model, included);
   return system;
+}
+
+System assemble(const Model& model, bool with_links) {
+  return assemble(model, Assembly{.with_links = with_links});
 }
 
 std::pair<Eigen::VectorXd, Eigen::VectorXd> initial_state(const Model& model, const Assembly& assembly) {

@@ -329,9 +329,7 @@ struct Assembly {
 System assemble(const Model& model, const Assembly& assembly);
 /// Of all structures. `with_links` false omits the links
 /// but not the devices.
-inline System assemble(const Model& model, bool with_links = true) {
-  return assemble(model, Assembly{.with_links = with_links});
-}
+System assemble(const Model& model, bool with_links = true);
 
 /// First unknown of each structure in the assembled system.
 std::vector<int> offsets(const Model& model);
