@@ -107,7 +107,7 @@ class StructureEnvelope(printing.ReportLines, lines=printing.envelope):
         Raises
         ------
         KeyError
-            There is no such member.
+            The member is unknown.
         """
         return self._of_member(name, self.member_force)
 
@@ -127,7 +127,7 @@ class StructureEnvelope(printing.ReportLines, lines=printing.envelope):
         Raises
         ------
         KeyError
-            There is no such member.
+            The member is unknown.
         """
         return self._of_member(name, self.section_force)
 

@@ -99,7 +99,7 @@ class Run(RunData):
         Raises
         ------
         InputError
-            There is no such picture.
+            The picture is unknown.
         ImportError
             matplotlib is missing.
 
@@ -137,7 +137,7 @@ class Run(RunData):
         Raises
         ------
         InputError
-            There is no such floor, or the output times are too far apart; the message has the output_step to use.
+            The floor is unknown, or the output times are too far apart; the message has the output_step to use.
         """
         return floor_spectrum(self, floor, damping, periods, direction=direction)
 

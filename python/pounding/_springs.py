@@ -118,7 +118,7 @@ class Springs(printing.ReportLines, lines=printing.springs):
         Raises
         ------
         KeyError
-            There is no such part; the message lists the names.
+            The part is unknown; the message lists the names.
         """
         if name not in self.names:
             raise KeyError(f"no part is named {name!r}; there are {', '.join(self.names)}")

@@ -99,6 +99,7 @@ class Imports(unittest.TestCase):
                 "pounding._outputs",
                 "pounding._pictures.html",
                 "pounding._springs",
+                "pounding._structures",
                 "pounding._texts",
                 "pounding._printing",
             },

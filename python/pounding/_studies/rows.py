@@ -163,7 +163,7 @@ class Rows:
         Raises
         ------
         InputError
-            There is no such row.
+            The row is unknown.
         """
         return self._among(self.finished, values)
 

@@ -128,7 +128,7 @@ class Study(Rows):
         Raises
         ------
         InputError
-            There is no such picture, column or option.
+            The picture, the column or an option is unknown.
         ImportError
             matplotlib is missing.
         """
@@ -222,7 +222,7 @@ class Study(Rows):
         Raises
         ------
         InputError
-            There is no such row.
+            The row is unknown.
         """
         row = arguments.whole(0, len(self) - 1)("row", row)
         given = located(self.description, Path() if self.path is None else self.path.parent)

@@ -122,7 +122,7 @@ class SuiteData(Study):
         Raises
         ------
         InputError
-            There is no such structure.
+            The structure is unknown.
         """
         for one in self.layout["structures"]:
             if one["name"] == name:
@@ -150,7 +150,7 @@ class SuiteData(Study):
         Raises
         ------
         InputError
-            There is no such structure or quantity.
+            The structure or the quantity is unknown.
         """
         one = self.structure(structure)
         if quantity not in one["quantities"]:
@@ -196,7 +196,7 @@ class SuiteData(Study):
         Raises
         ------
         InputError
-            There is no such structure or quantity.
+            The structure or the quantity is unknown.
         """
         if quantity not in ("ductility", "plastic_rotation"):
             raise InputError(f'unknown quantity "{quantity}"; known: ductility, plastic_rotation')
@@ -220,7 +220,7 @@ class SuiteData(Study):
         Raises
         ------
         InputError
-            There is no such quantity.
+            The quantity is unknown.
         """
         known = list(dict.fromkeys(each for link in self.layout["links"] for each in link["quantities"]))
         if quantity not in known:
