@@ -9,4 +9,3 @@
 #include <pounding/links/gap_link.hpp>
 #include <pounding/links/impact_log.hpp>
 #include <pounding/links/impact_row.hpp>
-#include <pounding/links/rigid_gap_link.hpp>

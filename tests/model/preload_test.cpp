@@ -8,6 +8,7 @@
 #include <string>
 
 #include <pounding/elements.hpp>
+#include <pounding/model/system.hpp>
 #include "support/book.hpp"
 #include "support/messages.hpp"
 

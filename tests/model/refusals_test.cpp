@@ -8,6 +8,7 @@
 #include <string>
 
 #include <pounding/elements.hpp>
+#include <pounding/model/system.hpp>
 #include "support/messages.hpp"
 
 namespace pounding {

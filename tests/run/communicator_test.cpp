@@ -122,7 +122,7 @@ TEST(TwoHalves, StopByThemselves) {
 TEST(SeveralProcesses, RefuseASecondRunDuringTheFirst) {
   int processes = 0, refused = 0, looks = 0;
   MPI_Comm_size(MPI_COMM_WORLD, &processes);
-  const auto stop = [&] {
+  const auto stop = [&](std::span<const ContactMemory>) {
     if (++looks > 1) return false;
     const Model second = test::model_of(model_of_half(0));
     try {

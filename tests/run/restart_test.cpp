@@ -186,7 +186,7 @@ struct Recorded {
         stepper(system, solver,
                 {.tolerance = model.analysis.tolerance, .scheme = model.analysis.scheme, .max_step = 0.02}),
         controller(stepper),
-        recorder(model, stepper, results) {
+        recorder(model, stepper.view(), results) {
     stepper.start(0, Eigen::VectorXd::Zero(system.size()), Eigen::VectorXd::Zero(system.size()));
     recorder.begin();
   }

@@ -198,7 +198,7 @@ TEST(Threads, WriteSeparateFiles) {
   const std::string file = file_name("output");
   std::string refused, other_status;
   bool looked = false;
-  const auto stop = [&] {
+  const auto stop = [&](std::span<const ContactMemory>) {
     if (std::exchange(looked, true)) return false;
     in_threads(1, [&](int) {
       const Model same = test::model_of(oscillators), other = test::model_of(oscillators);
@@ -222,7 +222,7 @@ TEST(Threads, AreStoppedSeparately) {
   in_threads(thread_count, [&](int i) {
     const Model model = test::model_of(oscillators);
     try {
-      found[i] = histories_of(run(model, {.comm = PETSC_COMM_SELF, .stop = [i] { return i % 2 == 1; }}));
+      found[i] = histories_of(run(model, {.comm = PETSC_COMM_SELF, .stop = [i](std::span<const ContactMemory>) { return i % 2 == 1; }}));
     } catch (const FailedRun& failed) {
       failures[i] = failed.what();
     }

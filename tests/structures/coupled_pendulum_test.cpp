@@ -11,6 +11,7 @@
 #include "support/bearing_references.hpp"
 #include "support/book.hpp"
 #include "support/elements.hpp"
+#include "support/loaded.hpp"
 
 namespace pounding {
 namespace coupled_pendulum_test {
@@ -36,7 +37,7 @@ TEST(CoupledPendulum, EnergiesBalance) { test::expect_energies_balance(CoupledPe
 
 TEST(CoupledPendulum, IsTheSliderOfOneDirectionOnALine) {
   const CoupledPendulum element(by_rate);
-  const SlidingSpring spring(by_rate);
+  const test::Loaded<SlidingSpring, SlidingFriction> spring(by_rate);
   for (const double v : {0.01, 0.1, 1.0})
     for (const double d : {0.2e-3, 0.9e-3, 5e-3, -5e-3}) {
       const auto expected = spring.evaluate({d, v});
@@ -94,9 +95,9 @@ TEST(CoupledPendulum, FollowsATurnWithinAStep) {
 }
 
 TEST(CoupledPendulum, ReversesWithinAStepAsInOneDirection) {
-  const auto spring = make_spring(
+  test::Loaded<Spring> spring(make_spring(
       {.law = "friction_pendulum",
-       .values = {{"weight", constant.weight}, {"radius", 2}, {"friction", 0.06}, {"yield_displacement", 1e-3}}});
+       .values = {{"weight", constant.weight}, {"radius", 2}, {"friction", 0.06}, {"yield_displacement", 1e-3}}}));
   const CoupledPendulum element(constant);
   ElementRun run(element);
   LinkStep step;
@@ -104,12 +105,12 @@ TEST(CoupledPendulum, ReversesWithinAStepAsInOneDirection) {
   for (const auto& [d, begin, end] : {std::array{20e-3, 0.1, 0.1}, {15e-3, 0.1, -0.2}, {30e-3, -0.2, 0.3}}) {
     step.motion_begin = {step.motion_end.penetration, begin};
     step.motion_end = {d, end};
-    spring->accept(step);
+    spring.accept(step);
     run.step({0.6 * d, 0.8 * d}, {0.6 * begin, 0.8 * begin}, {0.6 * end, 0.8 * end}, step.end);
-    const double expected = spring->evaluate({d, 0}).force + spring->stiffness() * d;
+    const double expected = spring.evaluate({d, 0}).force + spring.stiffness() * d;
     EXPECT_NEAR(run.force(run.d())[0], 0.6 * expected, 1e-9 * constant.weight);
     EXPECT_NEAR(run.force(run.d())[1], 0.8 * expected, 1e-9 * constant.weight);
-    EXPECT_NEAR(run.lost(), spring->lost(), 1e-9 * constant.weight);
+    EXPECT_NEAR(run.lost(), spring.lost(), 1e-9 * constant.weight);
   }
 }
 
