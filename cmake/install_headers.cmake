@@ -52,6 +52,7 @@ set(headers
   pounding/structures/bar_and_damper.hpp
   pounding/structures/damping.hpp
   pounding/structures/device_spring.hpp
+  pounding/structures/element.hpp
   pounding/structures/isolators.hpp
   pounding/structures/massless.hpp
   pounding/structures/one_or_each.hpp

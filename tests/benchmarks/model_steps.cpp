@@ -105,8 +105,8 @@ nlohmann::json measure(const std::string& file) {
   const double seconds = seconds_since(begin);
   PetscInt steps = 0;
   check(TSGetStepNumber(setup.ts, &steps));
-  return {{"solver", solver->description()}, {"sorts", clock.sorts()}, {"steps", steps},
-          {"events", stepper.view().events()},      {"seconds", seconds},     {"seconds_setup", seconds_setup}};
+  return {{"solver", solver->description()},   {"sorts", clock.sorts()}, {"steps", steps},
+          {"events", stepper.view().events()}, {"seconds", seconds},     {"seconds_setup", seconds_setup}};
 }
 
 }  // namespace

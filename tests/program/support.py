@@ -10,6 +10,8 @@ import unittest
 import zlib
 from pathlib import Path
 
+import numpy as np
+
 sys.path.append(str(Path(__file__).parents[1] / "python"))
 from messages import assert_mentions  # noqa: E402
 
@@ -140,3 +142,9 @@ class ProgramTest(unittest.TestCase):
         self.assertEqual((done.returncode, done.stdout), (code, ""), done.stderr)
         assert_mentions(done.stderr, facts)
         self.assertTrue(done.stderr.startswith("pounding: "), done.stderr)
+
+
+def bits(values):
+    """Bytes of an array for bitwise comparison; arrays of texts by their values, since their bytes are addresses."""
+    values = np.asarray(values)
+    return repr(values.tolist()).encode() if values.dtype == object else values.tobytes()

@@ -204,15 +204,15 @@ class ExitCodes(ProgramTest):
         self.write(OSCILLATORS)
         self.write("not json", "broken.json")
         for module, words in (
-            ("plots", ["missing.h5"]),
-            ("plots", ["model.yaml"]),
-            ("export", ["model.yaml"]),
+            ("_plots", ["missing.h5"]),
+            ("_plots", ["model.yaml"]),
+            ("_export", ["model.yaml"]),
             ("animation", ["missing.h5"]),
-            ("mode_shapes", ["broken.json", "-o", "a.png"]),
-            ("spectra", ["broken.json", "-o", "a.png"]),
-            ("pushover_curve", ["broken.json", "-o", "a.png"]),
-            ("reproduce", ["broken.json", "-o", "a.html"]),
-            ("plots", ["--oops"]),
+            ("_mode_shapes", ["broken.json", "-o", "a.png"]),
+            ("_spectra", ["broken.json", "-o", "a.png"]),
+            ("_pushover_curve", ["broken.json", "-o", "a.png"]),
+            ("_reproduce", ["broken.json", "-o", "a.html"]),
+            ("_plots", ["--oops"]),
         ):
             with self.subTest(module=module, words=words):
                 done = subprocess.run(

@@ -8,7 +8,7 @@ import time
 import unittest
 
 import h5py
-from support import LONG, OSCILLATORS, PROGRAM, ProgramTest
+from support import LONG, OSCILLATORS, PROGRAM, ProgramTest, bits
 from messages import assert_mentions
 
 
@@ -193,9 +193,7 @@ class FirstOfTwoParts(Place):
             file.visititems(
                 lambda place, item: found.update({place: item[()]}) if isinstance(item, h5py.Dataset) else None
             )
-        return {
-            place: value.tobytes() for place, value in found.items() if "wall" not in place and "summary" not in place
-        }
+        return {place: bits(value) for place, value in found.items() if "wall" not in place and "summary" not in place}
 
     def test_goes_on_to_the_same_bits(self):
         self.write(self.MODEL)

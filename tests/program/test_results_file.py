@@ -6,7 +6,7 @@ import unittest
 
 import h5py
 import numpy as np
-from support import OSCILLATORS, UNSOLVABLE, ProgramTest
+from support import OSCILLATORS, UNSOLVABLE, ProgramTest, bits
 from messages import assert_mentions
 
 
@@ -83,7 +83,7 @@ class ResultsFile(ProgramTest):
             if name == "summary":
                 self.assertEqual(without_clock(values), without_clock(second[name]))
             elif "wall" not in name:
-                self.assertEqual(np.asarray(values).tobytes(), np.asarray(second[name]).tobytes(), name)
+                self.assertEqual(bits(values), bits(second[name]), name)
 
 
 class EarlierFile(ProgramTest):

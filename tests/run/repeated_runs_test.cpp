@@ -43,16 +43,18 @@ INSTANTIATE_TEST_SUITE_P(
                                       "  b: {oscillator: {mass: 150 t, period: 0.4}, damping: 5 %}\n"
                                       "links: [{between: [a, b], gap: 10 mm, law: komodromos, stiffness: 90 MN/m, "
                                       "restitution: 0.6}]\nanalysis: {duration: 3}\ncompare: no_pounding\n"},
-        Case{"ThatYield", std::string(ground) +
-                              "structures:\n  a: {oscillator: {mass: 100 t, period: 0.8, yield_force: 80 kN}, damping: "
-                              "5 %}\n  b: {oscillator: {mass: 150 t, period: 0.4}, damping: 5 %}\n"
-                              "links: [{between: [a, b], gap: 10 mm, law: stereomechanical, restitution: 0.6}]\n"
-                              "analysis: {duration: 3}\n"},
+        Case{"ThatYield",
+             std::string(ground) +
+                 "structures:\n  a: {oscillator: {mass: 100 t, period: 0.8, yield_force: 400 kN}, damping: "
+                 "5 %}\n  b: {oscillator: {mass: 150 t, period: 0.4}, damping: 5 %}\n"
+                 "links: [{between: [a, b], gap: 1 mm, law: stereomechanical, restitution: 0.6}]\n"
+                 "analysis: {duration: 3}\n"},
         Case{"PressedAtTheStart", std::string(ground) +
                                       "structures:\n  a: {oscillator: {mass: 100 t, period: 0.8}, damping: 5 %}\n"
                                       "  b: {oscillator: {mass: 150 t, period: 0.4}, damping: 5 %}\n"
                                       "links: [{between: [a, b], gap: -2 mm, preload: true, law: hertz, stiffness: "
-                                      "2.75e9}]\ndevices:\n  tie: {between: [a, b], bar: 5 MN/m, damper: 200 kN s/m}\n"
+                                      "2.75e9}]\ndevices:\n  tie: {between: [a, b], bar: {stiffness: 5 MN/m}, damper: "
+                                      "{coefficient: 200 kN s/m}}\n"
                                       "analysis: {duration: 3}\n"}),
     [](const auto& test) { return std::string(test.param.name); });
 

@@ -89,7 +89,9 @@ bool apart(const ContactMemory& contact) { return !contact.impacts().empty() && 
 void stop(const Model& model, const RunOptions& base, StopWhen when) {
   RunOptions options = base;
   bool stopped = false;
-  options.stop = [&](std::span<const ContactMemory> contacts) { return stopped = when(contacts[0]); };
+  options.stop = [&](std::span<const ContactMemory> contacts) {
+    return stopped = !contacts.empty() && when(contacts[0]);
+  };
   EXPECT_THROW(run(model, options), FailedRun);
   ASSERT_TRUE(stopped) << "the run ended before it was stopped";
 }

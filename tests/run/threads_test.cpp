@@ -222,7 +222,8 @@ TEST(Threads, AreStoppedSeparately) {
   in_threads(thread_count, [&](int i) {
     const Model model = test::model_of(oscillators);
     try {
-      found[i] = histories_of(run(model, {.comm = PETSC_COMM_SELF, .stop = [i](std::span<const ContactMemory>) { return i % 2 == 1; }}));
+      found[i] = histories_of(
+          run(model, {.comm = PETSC_COMM_SELF, .stop = [i](std::span<const ContactMemory>) { return i % 2 == 1; }}));
     } catch (const FailedRun& failed) {
       failures[i] = failed.what();
     }

@@ -107,7 +107,8 @@ struct Followed {
   Eigen::VectorXd first_peaks() const {
     Eigen::VectorXd first(system.contact_count());
     for (int i = 0; i < system.contact_count(); ++i) {
-      const std::span<const ImpactRow> impacts = stepper->view().memory().contacts[static_cast<std::size_t>(i)].impacts();
+      const std::span<const ImpactRow> impacts =
+          stepper->view().memory().contacts[static_cast<std::size_t>(i)].impacts();
       EXPECT_FALSE(impacts.empty());
       first[i] = impacts.empty() ? 0 : impacts[0].peak_force;
     }

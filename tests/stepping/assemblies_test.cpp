@@ -27,8 +27,8 @@ constexpr const char* yaml =
     "links:\n"
     "  - {between: [a, b], gap: 20 mm, law: hertz, stiffness: 2.75e9}\n"
     "  - {between: [w, a], gap: 60 mm, law: hertz, stiffness: 2.75e9}\n"
-    "  - {between: [c.1, d], gap: 10 mm, law: linear_spring, stiffness: 90 MN/m, friction: 0.3}\n"
-    "devices:\n  link: {between: [c.1, d], damper: 100 kN s/m}\n"
+    "  - {between: [c.1, d], gap: 10 mm, law: linear_spring, stiffness: 90 MN/m}\n"
+    "devices:\n  link: {between: [c.1, d], damper: {coefficient: 100 kN s/m}}\n"
     "analysis: {duration: 3, tolerance: 1e-7}\n";
 
 struct Half {

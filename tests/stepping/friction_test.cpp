@@ -97,12 +97,14 @@ TEST_P(WithFriction, ABlockSlidesToRest) {
               Block::coefficient * Block::pressed / std::hypot(1, sliding / stepper.view().state().v[1]),
               1e-4 * Block::pressed);
     tries += test::march(stepper, 3 * stop, 0.05);
-    book.near("distance to rest [m]", stepper.view().state().u[1], way_to_rest(v0, sliding), 2e-5 * way_to_rest(v0, sliding));
+    book.near("distance to rest [m]", stepper.view().state().u[1], way_to_rest(v0, sliding),
+              2e-5 * way_to_rest(v0, sliding));
     book.below("speed after that [m/s]", std::abs(stepper.view().state().v[1]), 1e-5);
     const double coulomb = 0.5 * v0 * stop, off = std::abs(stepper.view().state().u[1] - coulomb);
     EXPECT_LT(off, last) << "closer to Coulomb's law for a smaller sliding velocity";
     last = std::max(off, 2e-5 * coulomb);
-    book.near("work of the friction [J]", stepper.view().friction_work()[0], 0.5 * Block::mass * v0 * v0, 1e-4 * Block::mass);
+    book.near("work of the friction [J]", stepper.view().friction_work()[0], 0.5 * Block::mass * v0 * v0,
+              1e-4 * Block::mass);
     EXPECT_LT(tries, 20000) << "the transition to rest must not stall the steps";
   }
 }
@@ -229,8 +231,8 @@ TEST_P(WithFriction, AnObliqueImpactIsThatOfAnIndependentIntegration) {
   stepper.start(0, Eigen::Vector4d::Zero(), Eigen::Vector4d::Zero());
   test::march(stepper, end, 0.01);
   EXPECT_GE(stepper.view().memory().contacts[0].impacts().size(), 3u);
-  book.below("oblique impact: displacements, difference over size [-]", (stepper.view().state().u - expected.head(4)).norm(),
-             1e-5 * expected.head(4).norm());
+  book.below("oblique impact: displacements, difference over size [-]",
+             (stepper.view().state().u - expected.head(4)).norm(), 1e-5 * expected.head(4).norm());
   book.below("oblique impact: velocities, difference over size [-]",
              (stepper.view().state().v - expected.segment(4, 4)).norm(), 1e-5 * expected.segment(4, 4).norm());
   const double lost = 1e6 * expected[12];

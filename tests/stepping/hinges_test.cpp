@@ -272,13 +272,14 @@ TEST_P(Hinges, OfFramesWithFactorsKeepTheToleranceWithoutStepsThatEndAtCorners) 
     HingeFrame frame({.frames = 2}, shake);
     const auto solver = make(frame.system);
     int off_levels = 0;
-    const HingeFrameRun done = run_hinge_frame(
-        frame, *solver, {.tolerance = tolerance, .scheme = GetParam(), .max_step = longest}, end, 4,
-        [&](StepController& controller) {
-          const double h = controller.stepper().view().instant_end_minus().time - controller.stepper().view().instant_begin().time;
-          const double level = std::log2(longest / h);
-          if (std::abs(level - std::round(level)) > 1e-6) ++off_levels;
-        });
+    const HingeFrameRun done =
+        run_hinge_frame(frame, *solver, {.tolerance = tolerance, .scheme = GetParam(), .max_step = longest}, end, 4,
+                        [&](StepController& controller) {
+                          const double h = controller.stepper().view().instant_end_minus().time -
+                                           controller.stepper().view().instant_begin().time;
+                          const double level = std::log2(longest / h);
+                          if (std::abs(level - std::round(level)) > 1e-6) ++off_levels;
+                        });
     return std::pair(done, off_levels);
   };
   const auto modal = [](const System& system) { return std::make_unique<ModalSolver>(system); };

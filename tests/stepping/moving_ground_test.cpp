@@ -279,7 +279,8 @@ TEST_P(MovingGround, StepsKeepTheirOrder) {
     stepper.start(0, Eigen::VectorXd::Constant(1, rest), Eigen::VectorXd::Zero(1));
     test::march_evenly(stepper, end, h);
     EXPECT_TRUE(presses(stepper.view().memory().contacts[0].phase()));
-    errors.push_back(std::hypot(stepper.view().state().u[0] - expected[0], 0.1 * (stepper.view().state().v[0] - expected[1])));
+    errors.push_back(
+        std::hypot(stepper.view().state().u[0] - expected[0], 0.1 * (stepper.view().state().v[0] - expected[1])));
   }
   book.near("observed order on a moving ground [-]", std::log2(errors[errors.size() - 2] / errors.back()),
             GetParam().order, 0.25);
@@ -306,7 +307,8 @@ TEST_P(MovingGround, ObservedIsThatOfTheWholeState) {
   long events = 0;
   for (int step = 0; step < 400; ++step) {
     if (step % 3 == 0)
-      expect_same(stepper.view().outputs(), stepper.view().state());  // not at each step, so that stale values would be noticed
+      expect_same(stepper.view().outputs(),
+                  stepper.view().state());  // not at each step, so that stale values would be noticed
     controller.advance(2e-3, 1e9, policy);
     if (step % 2 == 1 && stepper.view().events() == events) continue;
     events = stepper.view().events();

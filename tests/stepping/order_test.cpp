@@ -258,7 +258,8 @@ TEST(ErrorEstimate, FallsWithTheCubeOfTheStep) {
   ASSERT_TRUE(stepper.try_step(1e-2));
   const double coarse = stepper.view().error_ratio();
   ASSERT_TRUE(stepper.try_step(5e-3));
-  book.near("generalized-alpha: order of the error estimate [-]", std::log2(coarse / stepper.view().error_ratio()), 3.0, 0.15);
+  book.near("generalized-alpha: order of the error estimate [-]", std::log2(coarse / stepper.view().error_ratio()), 3.0,
+            0.15);
 }
 
 // The estimate agrees with the actual error of the step within a small factor.
@@ -272,8 +273,8 @@ TEST(ErrorEstimate, IsTheErrorOfTheStep) {
   const double estimated = stepper.view().error_ratio() * 0.25 * std::pow(tolerance, 1.5);
   stepper.accept();
   const double slope = (exact_oscillation(w, z, h + 1e-6) - exact_oscillation(w, z, h - 1e-6)) / 2e-6;
-  const double made =
-      std::max(std::abs(stepper.view().state().u[0] - exact_oscillation(w, z, h)), std::abs(stepper.view().state().v[0] - slope));
+  const double made = std::max(std::abs(stepper.view().state().u[0] - exact_oscillation(w, z, h)),
+                               std::abs(stepper.view().state().v[0] - slope));
   EXPECT_GT(estimated, 0.3 * made);
   EXPECT_LT(estimated, 5 * made);
 }

@@ -122,7 +122,8 @@ TEST_P(StickSlip, ABlockSlidesToRestAndSwings) {
   book.near("displacement after the stop [m]", stepper.view().state().u[1],
             way - stretch + stretch * std::cos(w * (end - stop)), 2e-5 * way);
   const double lost = 0.5 * Block::mass * v0 * v0 - 0.5 * stiffness * stretch * stretch;
-  book.near("energy lost [J]", stepper.view().friction_work()[0] - stepper.view().friction_stored()[0], lost, 2e-5 * lost);
+  book.near("energy lost [J]", stepper.view().friction_work()[0] - stepper.view().friction_stored()[0], lost,
+            2e-5 * lost);
   const Energies e = stepper.view().energies();
   EXPECT_NEAR(e.imbalance(), 0, 1e-5 * lost);
   EXPECT_LT(tries, 3000);
@@ -175,7 +176,8 @@ TEST_P(StickSlip, SlidingAlongACurveIsThatOfAnIndependentIntegration) {
   stepper.start(0, block.u, Vector3d(0, v[0], v[1]));
   const long tries = test::march(stepper, end, 0.02);
   const double size = v.norm() / std::sqrt(springs[0] / Block::mass);
-  book.below("displacement, difference over size [-]", (stepper.view().state().u.tail(2) - expected.u).norm() / size, 1e-4);
+  book.below("displacement, difference over size [-]", (stepper.view().state().u.tail(2) - expected.u).norm() / size,
+             1e-4);
   book.near("energy lost [J]", stepper.view().friction_work()[0] - stepper.view().friction_stored()[0], expected.lost,
             1e-4 * expected.lost);
   EXPECT_LT(tries, 5000);

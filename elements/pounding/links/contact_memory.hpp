@@ -14,6 +14,7 @@ struct ContactMemory {
   double drift = 0;  ///< of a rigid contact: overlap by round-off at the end of the last rest [m]
   ImpactLog log{0};
 
+  /// Current phase, from the last accepted state.
   ContactPhase phase() const noexcept { return state.phase; }
   /// One row per impact, in the order of the touches. During an impact the last row is unfinished (t_end NaN) and
   /// splits its work into lost and stored energy.

@@ -42,7 +42,7 @@ std::vector<Eigen::VectorXd> rests_by_yielding(const Model& model) {
 struct Included {
   std::vector<bool> structures;
   std::vector<int> first;
-  int size = 0;
+  int size = 0, whole = 0;  // unknowns of the assembly, and of the model
 
   Included(const Model& model, const std::vector<int>& wanted)
       : structures(model.structures.size(), wanted.empty()), first(model.structures.size(), 0) {
@@ -51,16 +51,15 @@ struct Included {
       structures[i] = structures[i] || model.structures[i].is_rigid();
       first[i] = size;
       if (structures[i]) size += model.structures[i].size();
+      whole += model.structures[i].size();
     }
   }
   // True if a link or device acts: none of its ends may be left out.
   template <class Link>
   bool joins(const Model& model, const Link& link) const {
     const auto acts = [&](const LinkEnd& end) { return structures[end.structure]; };
-    const auto moves = [&](const LinkEnd& end) {
-      return acts(end) && !model.structures[end.structure].is_rigid();
-    };
-    if (acts(link.left) && acts(link.right)) return moves(link.left) || moves(link.right);
+    const auto moves = [&](const LinkEnd& end) { return acts(end) && !model.structures[end.structure].is_rigid(); };
+    if (acts(link.left) && acts(link.right)) return size == whole || moves(link.left) || moves(link.right);
     if (moves(link.left) || moves(link.right))
       throw std::invalid_argument(fmt::format("{} joins a structure of the assembly with one outside it", link.name));
     return false;
@@ -165,7 +164,8 @@ System assemble(const Model& model, const Assembly& assembly) {
   double driven = 0;
   for (const GroundPlan::Force& force : plan.forces)
     for (const Group& group : system.groups)
-      if (included.structures[force.structure] && group.first == first[force.structure]) driven = std::max(driven, group.velocity_floor);
+      if (included.structures[force.structure] && group.first == first[force.structure])
+        driven = std::max(driven, group.velocity_floor);
   for (Group& group : system.groups) group.velocity_floor = std::max(group.velocity_floor, 0.1 * driven);
   // The load is -P ag, where ag is the force itself.
   auto of_plan = plan.forces.begin();
@@ -289,9 +289,7 @@ System assemble(const Model& model, const Assembly& assembly) {
   return system;
 }
 
-System assemble(const Model& model, bool with_links) {
-  return assemble(model, Assembly{.with_links = with_links});
-}
+System assemble(const Model& model, bool with_links) { return assemble(model, Assembly{.with_links = with_links}); }
 
 std::pair<Eigen::VectorXd, Eigen::VectorXd> initial_state(const Model& model, const Assembly& assembly) {
   const Included included(model, assembly.structures);

@@ -48,9 +48,9 @@ class CubicStep {
   CubicPenetration x_, y_;
 };
 
-/// Number of chords of equal duration that deviate from the path by at most 1e-4 of the scale, or the maximum.
+/// Number of chords of equal duration that deviate from the path by at most 1e-7 of the scale, or the maximum.
 int chords(const CubicStep& path, const Pair& scale, double from, double to) noexcept {
-  constexpr double allowed = 1e-4;
+  constexpr double allowed = 1e-7;
   constexpr int maximum = 16;
   const auto scaled = [&](double s) {
     const Pair d = path.at(s);

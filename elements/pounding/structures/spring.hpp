@@ -114,10 +114,10 @@ class LoadedSpring {
   /// Undeformed. `spring` must outlive this object.
   explicit LoadedSpring(const Spring& spring) : spring_(&spring) { memory_.add(spring); }
 
-  const Spring& spring() const noexcept { return *spring_; }
-  const Spring* operator->() const noexcept { return spring_; }
-  ElementMemory memory() noexcept { return memory_[0]; }
-  ConstElementMemory memory() const noexcept { return memory_[0]; }
+  const Spring& spring() const noexcept { return *spring_; }         ///< the spring
+  const Spring* operator->() const noexcept { return spring_; }      ///< its other functions
+  ElementMemory memory() noexcept { return memory_[0]; }             ///< its memory
+  ConstElementMemory memory() const noexcept { return memory_[0]; }  ///< its memory
   /// See the functions of Spring with these names.
   laws::Response evaluate(const LinkMotion& motion) const noexcept { return spring_->evaluate(memory(), motion); }
   laws::Response evaluate_slowly(double deformation) const noexcept {

@@ -208,7 +208,7 @@ Handle table(hid_t parent, const char* name, const char* long_name, hid_t row_ty
   return made;
 }
 
-// Readers of netCDF identify a dimension without coordinates by the first words.
+// The start of a name by which readers of netCDF identify a dimension without coordinates.
 constexpr const char* without_coordinates = "This is a netCDF dimension but not a netCDF variable.";
 
 // Variable-length texts, which xarray returns as str.

@@ -129,7 +129,7 @@ void hide(hid_t parent, const char* name);
 /// Names the dimensions of an array, as H5DSattach_scale(). Scales have no list of their arrays: it would exceed the 64
 /// kB of an attribute in large models, and no reader needs it.
 void attach(hid_t array, std::vector<hobj_ref_t> scales);
-/// Also writes the attributes of the scales; does nothing for a scalar.
+/// Also writes the attributes of the scales. A scalar has none.
 void attach(hid_t array, const std::vector<const Scale*>& scales);
 /// Name and type of the attribute that attach() writes.
 constexpr const char* dimension_list = "DIMENSION_LIST";

@@ -109,7 +109,7 @@ inline std::vector<double> base_shear(const StructureHistory& s) {
 
 inline const StructureEnvelope& loads(const StructureHistory& s) { return s.envelope; }
 
-/// The direction of storeys in the plane is no dimension; nor are the floors of a structure without storeys.
+/// Storeys in the plane have one direction, without a dimension. The floors of a structure without storeys have none.
 inline const char* structure_dims(const Variable<StructureHistory>& variable, const StructureHistory& s,
                                   std::size_t count) {
   if (std::string_view(variable.dims) != "time floor storey_direction") return variable.dims;

@@ -58,7 +58,7 @@ struct Dimension {
   const char* attribute = nullptr;  ///< attribute of its datasets that repeats the labels; null for none
 };
 
-/// A group in the group of an object whose content is conditional or has coordinates that are no dimensions.
+/// A group in the group of an object whose content is conditional or has coordinates that index no dimension.
 template <class T>
 struct Group {
   const char* path;                     ///< empty for the group of the object

@@ -114,7 +114,8 @@ std::optional<Outcome> try_run(const Task& task, bool with_links, const Outcome&
 
   Recorder recorder(model, stepper.view(), results);
   ReductionReport reduction(model, recorder.response(), stepper.view());
-  RunWriter writer(model, options, task.write, setup.ts, stepper.view(), recorder, reduction, outcome, since_start, plan);
+  RunWriter writer(model, options, task.write, setup.ts, stepper.view(), recorder, reduction, outcome, since_start,
+                   plan);
   if (earlier)
     writer.restart(*earlier);
   else

@@ -27,9 +27,9 @@ struct RunOptions {
   /// Called about ten times per second between two steps with the simulated time [s], the duration [s] and the number
   /// of impacts, in the thread of the run and without LibraryLock.
   std::function<void(double, double, int)> progress = {};
-  /// Polled between steps, about fifty times per second, with the contacts at that time. Returning true on one process
-  /// stops the run: results up to that time are written with a checkpoint, and FailedRun is thrown. Called as `progress`
-  /// is.
+  /// Polled between steps, about fifty times per second, with the contacts at that time, none in the run without links.
+  /// Returning true on one process stops the run: results up to that time are written with a checkpoint, and FailedRun
+  /// is thrown. Called as `progress` is.
   std::function<bool(std::span<const ContactMemory> contacts)> stop = {};
   /// Results file of an interrupted run of this model: killed, stopped, or ended by -pounding_ts_max_steps. The run
   /// resumes from its last checkpoint and is bitwise identical to an uninterrupted run. Empty to run from the start.

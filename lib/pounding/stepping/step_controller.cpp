@@ -59,8 +59,8 @@ void StepController::give_up(double step, const std::string& reason) const {
     at = (link < stepper_.view().system().contact_count() ? " at link " : " at ") + names[link];
   else if (link >= 0)
     at = fmt::format(" at link {}", link + 1);
-  throw SolverError(fmt::format("the solve stopped at t = {:.9g} s{} with a step of {:.3g} s: {}", stepper_.view().time(), at,
-                                step, reason));
+  throw SolverError(fmt::format("the solve stopped at t = {:.9g} s{} with a step of {:.3g} s: {}",
+                                stepper_.view().time(), at, step, reason));
 }
 
 void StepController::give_up_too_short(double step) const {

@@ -12,8 +12,8 @@
 
 namespace pounding {
 
-/// Everything that moves, between two steps: a value that can be copied, compared and archived. It belongs to steppers of
-/// the same system, solver and options.
+/// Everything that moves, between two steps: a value that can be copied, compared and archived. It belongs to steppers
+/// of the same system, solver and options.
 struct StepState {
   std::vector<std::byte> bytes;
 
@@ -56,14 +56,15 @@ class Stepper final : private StepView {
   /// The present state, the last accepted step and the trial.
   const StepView& view() const { return *this; }
 
-  /// The whole state between two steps, including contacts and elements. A stepper that restores it makes the same steps
-  /// to the bit. Throws std::runtime_error for a state of another system.
+  /// The whole state between two steps, including contacts and elements. A stepper that restores it makes the same
+  /// steps to the bit. Throws std::runtime_error for a state of another system.
   StepState save();
   void restore(const StepState& state);
 
  private:
   void look_ahead();
   bool solve_trial();
+  void add_path_error(const Trial& trial);
   void start_elements(const std::function<LinkMotion(int)>& motion_of);
   void load_elements(const Eigen::VectorXd& rest, const std::function<LinkMotion(int)>& motion_of);
   void apply_located(bool in_place);

@@ -36,7 +36,9 @@ class Run:
             labels = rows["link"].astype(str)
             self.rows = [rows[labels == name] for name in names]
             self.impacts = len(rows)
-            self.histories = [{key: data[()] for key, data in file["links"][name].items()} for name in names]
+            self.histories = [
+                {key: data[()] for key, data in file["links"][name].items() if data.dtype.kind == "f"} for name in names
+            ]
             self.energy = {key: data[()] for key, data in file["energy"].items()}
             self.ground = file["ground/acceleration"][()] if "ground" in file else np.zeros(1)
             self.time = file["time"][()]
