@@ -332,6 +332,8 @@ class _Reader:
             )
         if re.match(r"concept\b", plain):
             return Item("concept", _join(prefix, plain.split()[1]), text, line)
+        if re.match(r"using\s+[\w:]+(,\s*[\w:]+)+$", plain):  # members of a base class
+            return None
         if match := re.match(r"using\s+([\w:]+)$", plain):
             if equals is None:
                 return None
