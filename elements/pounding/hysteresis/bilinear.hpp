@@ -37,19 +37,8 @@ struct Bilinear {
 
   static constexpr std::array parameters{
       Parameter{{"stiffness", "N/m", "initial stiffness k", 1e7}, &Bilinear::initial_stiffness},
-      Parameter{{.name = "yield_force",
-                 .unit = "N",
-                 .meaning = "yield force Fy",
-                 .typical = 1.5e5,
-                 .at_hinge = "yield_moment"},
-                &Bilinear::yield_force},
-      Parameter{{.name = "hardening",
-                 .unit = "",
-                 .meaning = "ratio a of post-yield to initial stiffness",
-                 .typical = 0.05,
-                 .need = Need::optional,
-                 .at_hinge = "spring_hardening"},
-                &Bilinear::hardening},
+      Parameter{yield_force_info, &Bilinear::yield_force},
+      Parameter{hardening_info("ratio a of post-yield to initial stiffness"), &Bilinear::hardening},
       Parameter{{"negative_yield_force", "N", "magnitude Fy' of the yield force in the negative direction (default Fy)",
                  1e5, Need::extra},
                 &Bilinear::negative_yield_force}};

@@ -48,19 +48,8 @@ struct BoucWen {
 
   static constexpr std::array parameters{
       Parameter{{"stiffness", "N/m", "initial stiffness k", 1e7}, &BoucWen::initial_stiffness},
-      Parameter{{.name = "yield_force",
-                 .unit = "N",
-                 .meaning = "yield force Fy",
-                 .typical = 1.5e5,
-                 .at_hinge = "yield_moment"},
-                &BoucWen::yield_force},
-      Parameter{{.name = "hardening",
-                 .unit = "",
-                 .meaning = "ratio a of post-yield to initial stiffness",
-                 .typical = 0.05,
-                 .need = Need::optional,
-                 .at_hinge = "spring_hardening"},
-                &BoucWen::hardening},
+      Parameter{yield_force_info, &BoucWen::yield_force},
+      Parameter{hardening_info("ratio a of post-yield to initial stiffness"), &BoucWen::hardening},
       Parameter{{"exponent", "", "sharpness n of the transition", 2, Need::optional}, &BoucWen::exponent},
       Parameter{{"gamma_share", "", "g = gamma/(beta + gamma)", 0.5, Need::optional}, &BoucWen::gamma_share}};
 

@@ -23,6 +23,19 @@ constexpr std::string_view name_at(Use use, const ParameterInfo& info) noexcept 
   return use == Use::hinge && !info.at_hinge.empty() ? info.at_hinge : info.name;
 }
 
+/// Yield force of a law with one yield force in each direction.
+inline constexpr ParameterInfo yield_force_info{
+    .name = "yield_force", .unit = "N", .meaning = "yield force Fy", .typical = 1.5e5, .at_hinge = "yield_moment"};
+/// Ratio of post-yield to initial stiffness.
+constexpr ParameterInfo hardening_info(std::string_view meaning) noexcept {
+  return {.name = "hardening",
+          .unit = "",
+          .meaning = meaning,
+          .typical = 0.05,
+          .need = Need::optional,
+          .at_hinge = "spring_hardening"};
+}
+
 /// A parameter that takes one of several keywords; the first is the default.
 struct ChoiceInfo {
   std::string_view name, meaning;
