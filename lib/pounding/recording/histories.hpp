@@ -9,16 +9,9 @@
 #include <pounding/core/archive.hpp>
 #include <pounding/results/results.hpp>
 #include <pounding/results/tables.hpp>
-#include <pounding/stepping/dense_output.hpp>
 #include <pounding/stepping/links/link_set.hpp>
 
 namespace pounding {
-
-/// Link force inside its last accepted step, s from 0 to 1 [N]: the parabola through both ends and the middle.
-inline double force_inside(const LinkStep& step, double s) {
-  const Parabola parabola(s);
-  return parabola.begin * step.force_begin + parabola.middle * step.force_middle + parabola.end * step.force_end;
-}
 
 /// Force of a yielding part inside its last accepted step, at a deformation [m], as by Spring::evaluate() [N].
 inline double spring_force(const LinkSet& links, int link, const LinkStep& step, double time, double deformation) {

@@ -8,7 +8,7 @@
 
 #include <pounding/linear/modal_solver.hpp>
 #include <pounding/linear/sparse_solver.hpp>
-#include <pounding/stepping/dense_output.hpp>
+#include <pounding/stepping/interpolation.hpp>
 #include <pounding/stepping/step_controller.hpp>
 
 namespace pounding {

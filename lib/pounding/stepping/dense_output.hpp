@@ -1,39 +1,12 @@
 #pragma once
 /// States and output quantities at the ends of accepted steps and between them.
 
-#include <algorithm>
 #include <utility>
 
+#include <pounding/stepping/interpolation.hpp>
 #include <pounding/stepping/step_history.hpp>
 
 namespace pounding {
-
-/// Cubic Hermite interpolation: weights of the values and slopes at the ends of a step of length h.
-struct Cubic {
-  double begin, end, slope_begin, slope_end;
-
-  /// At s in [0, 1].
-  Cubic(double position, double h) {
-    const double s = std::clamp(position, 0.0, 1.0), r = 1 - s;
-    begin = r * r * (1 + 2 * s);
-    end = s * s * (1 + 2 * r);
-    slope_begin = h * s * r * r;
-    slope_end = -h * s * s * r;
-  }
-};
-
-/// Parabola through the values at both ends and at the middle of a step.
-struct Parabola {
-  double begin, middle, end;
-
-  /// At s in [0, 1].
-  explicit Parabola(double position) {
-    const double s = std::clamp(position, 0.0, 1.0);
-    begin = (1 - s) * (1 - 2 * s);
-    middle = 4 * s * (1 - s);
-    end = s * (2 * s - 1);
-  }
-};
 
 /// Lazily evaluated states and outputs of the instants in StepHistory. end_minus is the end of the last accepted step
 /// before events; it is the same object as now if no event changed the state.

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <optional>
 
-#include <pounding/stepping/dense_output.hpp>
+#include <pounding/stepping/interpolation.hpp>
 
 namespace pounding {
 namespace {

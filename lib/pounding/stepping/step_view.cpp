@@ -82,11 +82,10 @@ bool StepView::in_contact() const {
                              [](const ContactMemory& contact) { return contact.phase() != ContactPhase::open; });
 }
 
-// Fills the description of a link in the last accepted step.
-void StepView::describe(int i, LinkStep& step) const {
+// Fills the description of a link in a solved step from x.
+void StepView::describe(int i, const Instant& x, const Trial& kept, LinkStep& step) const {
   const LinkSet& links = equations_.links;
-  const Trial& kept = history_.kept();
-  const Instant &x = history_.begin(), &y = kept.end;
+  const Instant& y = kept.end;
   step.begin = x.time;
   step.end = y.time;
   links.motion(i, x, step.motion_begin);

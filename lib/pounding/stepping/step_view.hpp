@@ -152,7 +152,8 @@ class StepView {
   StepView(const System& system, StructureSolver& solver, const StepperOptions& options);
   ~StepView() = default;
 
-  void describe(int link, LinkStep& step) const;
+  void describe(int link, const Instant& begin, const Trial& solved, LinkStep& step) const;
+  void describe(int link, LinkStep& step) const { describe(link, history_.begin(), history_.kept(), step); }
   void describe_springs() const;
   std::optional<int> step_level(double h) const {
     return equations_.solver.layout().step_lengths == StepLengths::any ? std::nullopt : dyadic_.level(h);

@@ -61,30 +61,35 @@ void Stepper::start(double time, const Eigen::VectorXd& u, const Eigen::VectorXd
   started_ = true;
 }
 
-void Stepper::start_elements(const std::function<LinkMotion(int)>& motion_of) {
-  LinkMemory& memory = equations_.links.memory();
+// Calls visit(element, memory, first spring) for each element.
+template <class Visit>
+void Stepper::visit_elements(Visit&& visit) {
   int spring = 0;
   for (std::size_t i = 0; i < equations_.system.elements.size(); ++i) {
     const Element& element = *equations_.system.elements[i];
+    visit(element, equations_.links.memory().elements[static_cast<int>(i)], spring);
+    spring += element.deformations();
+  }
+}
+
+void Stepper::start_elements(const std::function<LinkMotion(int)>& motion_of) {
+  visit_elements([&](const Element& element, ElementMemory memory, int spring) {
     std::array<LinkMotion, max_deformations> motions;
     const int count = element.deformations();
-    for (int j = 0; j < count; ++j) motions[j] = motion_of(spring++);
-    element.start(memory.elements[static_cast<int>(i)], std::span(motions).first(static_cast<std::size_t>(count)));
-  }
+    for (int j = 0; j < count; ++j) motions[j] = motion_of(spring + j);
+    element.start(memory, std::span(motions).first(static_cast<std::size_t>(count)));
+  });
 }
 
 // Slow loading from the state at rest.
 void Stepper::load_elements(const Eigen::VectorXd& rest, const std::function<LinkMotion(int)>& motion_of) {
-  LinkMemory& memory = equations_.links.memory();
-  int spring = 0;
-  for (std::size_t i = 0; i < equations_.system.elements.size(); ++i) {
-    const Element& element = *equations_.system.elements[i];
+  visit_elements([&](const Element& element, ElementMemory memory, int spring) {
+    std::array<double, max_deformations> to{};
     const int count = element.deformations();
-    std::array<double, max_deformations> from{}, to{};
-    for (int j = 0; j < count; ++j, ++spring) from[j] = rest[spring], to[j] = motion_of(spring).penetration;
+    for (int j = 0; j < count; ++j) to[j] = motion_of(spring + j).penetration;
     const auto size = static_cast<std::size_t>(count);
-    element.load(memory.elements[static_cast<int>(i)], std::span(from).first(size), std::span(to).first(size));
-  }
+    element.load(memory, {rest.data() + spring, size}, std::span(to).first(size));
+  });
 }
 
 bool Stepper::try_step(double h, std::optional<double> end) {
@@ -131,16 +136,8 @@ void Stepper::add_path_error(const Trial& trial) {
     std::array<LinkMotion, max_deformations> ends;
     for (int j = 0; j < coupled.count; ++j) {
       const int link = coupled.first + j;
-      LinkStep& step = steps[j];
-      step.begin = history_.now().time;
-      step.end = trial.end.time;
-      links.motion(link, history_.now(), step.motion_begin);
-      links.motion(link, trial.end, step.motion_end);
-      if (equations_.springs.any()) {
-        step.motion_begin.rate = trial.spring_rates(link - links.contacts(), 0);
-        step.motion_end.rate = trial.spring_rates(link - links.contacts(), 3);
-      }
-      ends[j] = step.motion_end;
+      describe(link, history_.now(), trial, steps[j]);
+      ends[j] = steps[j].motion_end;
     }
     const ConstElementMemory now = links.memory().elements[coupled.index];
     std::vector<std::byte> memory(now.begin(), now.end());

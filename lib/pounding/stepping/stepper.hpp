@@ -65,6 +65,8 @@ class Stepper final : private StepView {
   void look_ahead();
   bool solve_trial();
   void add_path_error(const Trial& trial);
+  template <class Visit>
+  void visit_elements(Visit&& visit);
   void start_elements(const std::function<LinkMotion(int)>& motion_of);
   void load_elements(const Eigen::VectorXd& rest, const std::function<LinkMotion(int)>& motion_of);
   void apply_located(bool in_place);

@@ -7,6 +7,7 @@
 #include <pounding/linear/spring_relief.hpp>
 #include <pounding/links/contact.hpp>
 #include <pounding/model/system.hpp>
+#include <pounding/stepping/interpolation.hpp>
 #include <pounding/stepping/links/link_memory.hpp>
 #include <pounding/stepping/step_state.hpp>
 #include <pounding/structures/spring.hpp>
@@ -143,9 +144,7 @@ class LinkSet {
   /// coupled element is interpolated.
   Spring::Instant inside(int link, const LinkStep& step, double s, double deformation) const {
     if (!is_coupled(link)) return spring(link).inside(of_spring(link), step, s, deformation);
-    const double force = (1 - s) * (1 - 2 * s) * step.force_begin + 4 * s * (1 - s) * step.force_middle +
-                         s * (2 * s - 1) * step.force_end;
-    return {force, energy(link).lost};
+    return {force_inside(step, s), energy(link).lost};
   }
 
   /// True if the link may have a force in its current phase: contacts that press, their friction, all springs.
