@@ -1,4 +1,4 @@
-// A model is constant: it can be run as often as one likes, with the same bits each time.
+// A model is constant: repeated runs have the same bits.
 
 #include <gtest/gtest.h>
 

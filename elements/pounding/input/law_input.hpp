@@ -16,8 +16,8 @@ struct LawInput {
   std::optional<StiffnessEstimate> stiffness;  ///< set if the settings have no stiffness
 };
 
-/// Throws InputError at the first key of a link that is neither a key of links nor of its law; does nothing for an
-/// unknown law.
+/// Throws InputError at the first key of a link that is neither a key of links nor of its law. An unknown
+/// law is not an error here.
 void refuse_unknown_keys(const Input& link);
 
 /// Reads the law of a link with its parameters. Rejects keys that neither the law nor links in general allow. Throws
