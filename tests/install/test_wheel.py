@@ -10,7 +10,7 @@ from importlib.metadata import version
 from pathlib import Path
 
 import pounding
-from pounding.opensees import link_process
+from pounding._opensees import link_process
 
 MODEL = Path(os.environ["POUNDING_EXAMPLES"]) / "02_two_oscillators/model.yaml"
 
