@@ -45,10 +45,8 @@ void read_even(const Lines& lines, std::size_t i, const std::string& count_text,
                double dt, const Columns& usual, const RecordOptions& options, Record& record) {
   const double unit = agreed_unit(lines, i, unit_alone(unit_text), options, record.unit);
   const std::size_t count = checked_count(lines, i, "the number of points", lines.number(i, count_text));
-  record.samples.accelerations =
-      read_columns(lines, i + 1, even_columns(lines, i, usual), {count, fmt::format("line {}", i + 1)});
-  for (double& a : record.samples.accelerations) a *= unit;
-  record.samples.times = even_times(count, dt);
+  const Stated stated{count, fmt::format("line {}", i + 1)};
+  set_samples(record, read_columns(lines, i + 1, even_columns(lines, i, usual), stated), unit, dt);
 }
 
 bool read_stated(const Lines& lines, std::size_t begin, std::size_t end, const Columns& usual,

@@ -8,8 +8,8 @@
 #include <utility>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 #include <yaml-cpp/yaml.h>
+#include <nlohmann/json.hpp>
 
 #include <pounding/hysteresis/all.hpp>
 #include <pounding/model/modes.hpp>
@@ -257,8 +257,7 @@ Resolved resolved_analysis(const Model& model) {
                {"tolerance", analysis.tolerance},
                {"output_step", analysis.output_step},
                {"integrator", analysis.scheme.name()}};
-  if (analysis.scheme.kind == Scheme::Kind::generalized_alpha)
-    one["spectral_radius"] = analysis.scheme.spectral_radius;
+  if (analysis.scheme.kind == Scheme::Kind::generalized_alpha) one["spectral_radius"] = analysis.scheme.spectral_radius;
   if (analysis.max_step > 0) one["max_step"] = analysis.max_step;
   one["most_steps"] = analysis.max_steps;
   if (analysis.reduction.kind != Reduction::Kind::none || !analysis.reductions.empty())

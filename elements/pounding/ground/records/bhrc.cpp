@@ -34,7 +34,7 @@ Channel read_channel(const Lines& lines, std::size_t begin) {
   std::string place;
   if (azimuth && (component == "L" || component == "T"))
     place = fmt::format("{} deg", (*azimuth)[component == "T" ? 1 : 0]);
-  return {.number = {}, .component = component, .place = place, .begin = begin};
+  return {.component = component, .place = place, .begin = begin};
 }
 
 std::vector<Channel> find_channels(const Lines& lines) {
@@ -94,10 +94,8 @@ Record read(const Lines& lines, const RecordOptions& options) {
       checked_count(lines, begin + 10, "the number of points", lines.number(begin + 10, (*stated)[0]));
   const std::size_t values_begin = volumes::after_headers(lines, begin);
   const double dt = read_step(lines, begin, values_begin, count, lines.number(begin + 10, (*stated)[1]));
-  record.samples.accelerations =
-      read_columns(lines, values_begin, numbers, {count, fmt::format("line {}", begin + 11)});
-  for (double& a : record.samples.accelerations) a *= unit;
-  record.samples.times = even_times(count, dt);
+  set_samples(record, read_columns(lines, values_begin, numbers, {count, fmt::format("line {}", begin + 11)}), unit,
+              dt);
   return record;
 }
 

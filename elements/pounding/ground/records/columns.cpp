@@ -227,9 +227,9 @@ void refuse_integer_header(const Lines& lines, const NumberTable& table) {
 }
 
 /// Warns of exceptional values at the start, which may be numbers of a header.
-void warn_of_header(const NumberTable& table, const RecordOptions& options, Record& record) {
+void warn_of_header(const NumberTable& table, const RecordOptions& options, const std::vector<double>& values,
+                    Record& record) {
   constexpr std::size_t fewest = 100, head = 10;
-  const std::vector<double>& values = record.samples.accelerations;
   if (values.size() < fewest || options.force) return;
   const auto less = [](double a, double b) { return std::abs(a) < std::abs(b); };
   const auto peak = std::max_element(values.begin(), values.end(), less);
@@ -278,24 +278,24 @@ Record read_at_step(const Lines& lines, const NumberTable& table, const Header& 
   refuse_integer_header(lines, table);
   Record record;
   std::size_t column = 0;
+  std::vector<double> samples;
   if (count == 1 || (values.size() == count && options.channel.empty() && !header.is_sure(lines))) {
     refuse_channel(lines, options);
     check_lengths(lines, table, true);
     record.format = count == 1 ? "one column" : fmt::format("{} values per line", count);
-    record.samples.accelerations = table.values();
+    samples = table.values();
   } else {
     check_lengths(lines, table, false);
     const Channel channel = chosen(lines, channels_of(header, values, options), options);
     column = channel.begin;
     record.format = fmt::format("{} columns", count);
     record.channel = channel.text();
-    record.samples.accelerations = table.column(column);
+    samples = table.column(column);
   }
-  require_samples(lines, record.samples.accelerations.size(), "values");
-  warn_of_header(table, options, record);
+  require_samples(lines, samples.size(), "values");
+  warn_of_header(table, options, samples, record);
   const double unit = unit_of_column(lines, header, table, column, options, record.unit);
-  for (double& a : record.samples.accelerations) a *= unit;
-  record.samples.times = even_times(record.samples.accelerations.size(), options.step);
+  set_samples(record, std::move(samples), unit, options.step);
   return record;
 }
 

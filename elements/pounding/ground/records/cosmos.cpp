@@ -109,8 +109,7 @@ double read_step(const Lines& lines, const Series& series) {
     const Part& reals = series.reals;
     if (number > reals.count)
       lines.fail(reals.line, fmt::format("states {} values, but number {} is needed", reals.count, number));
-    return lines.number(reals.line + 1 + (number - 1) / reals.columns.per_line,
-                        column_field(lines, reals.line + 1, reals.columns, number - 1));
+    return column_number(lines, reals.line + 1, reals.columns, number - 1);
   };
   const std::size_t i = series.reals.line + 1 + 61 / series.reals.columns.per_line;
   const double dt = checked_positive(lines, i, "real 62, the spacing in ms,", real(62), "a time") / 1000;
@@ -151,11 +150,9 @@ Record read(const Lines& lines, const RecordOptions& options) {
   const double unit = agreed_unit(lines, series.samples.line, series.unit, options, record.unit);
   const std::size_t count =
       checked_count(lines, series.samples.line, "the number of points", static_cast<double>(series.samples.count));
-  const double dt = read_step(lines, series);
-  record.samples.accelerations = read_columns(lines, series.samples.line + 1, series.samples.columns,
-                                              {count, fmt::format("line {}", series.samples.line + 1)});
-  for (double& a : record.samples.accelerations) a *= unit;
-  record.samples.times = even_times(count, dt);
+  const Stated stated{count, fmt::format("line {}", series.samples.line + 1)};
+  set_samples(record, read_columns(lines, series.samples.line + 1, series.samples.columns, stated), unit,
+              read_step(lines, series));
   return record;
 }
 

@@ -18,55 +18,30 @@ bool recognises(const Lines& lines) {
   return lines.size() > 1 && lines[0].starts_with("EVENT_NAME:") && lines[1].starts_with("EVENT_ID:");
 }
 
-/// A value of the header, and its line.
-struct Entry {
-  std::string value;
-  std::size_t line;
-};
-
-std::optional<Entry> find_entry(const Lines& lines, std::string_view key) {
-  for (std::size_t i = 0; i < header_length; ++i)
-    if (lines[i].starts_with(key) && lines[i].substr(key.size()).starts_with(':'))
-      return Entry{std::string(trimmed(lines[i].substr(key.size() + 1))), i};
-  return std::nullopt;
-}
-
-Entry entry(const Lines& lines, std::string_view key) {
-  const std::optional<Entry> found = find_entry(lines, key);
-  if (!found) lines.fail(header_length - 1, fmt::format("the header of 64 lines has no \"{}\"", key));
-  return *found;
-}
-
-/// Empty if there is none.
-std::string value(const Lines& lines, std::string_view key) { return find_entry(lines, key).value_or(Entry{}).value; }
-
 Record read(const Lines& lines, const RecordOptions& options) {
   lines.at(header_length - 1, "the end of the header of 64 lines");
-  const Entry type = entry(lines, "DATA_TYPE");
+  const NamedLines header(lines, header_length);
+  const std::string type = header.value("DATA_TYPE:");
   const std::string_view wanted = options.displacement ? "DISPLACEMENT" : "ACCELERATION";
-  if (upper(type.value) != wanted)
-    lines.fail(type.line, fmt::format("contains \"{}\"; use the file of {}s", excerpt(type.value),
-                                      options.displacement ? "displacement" : "acceleration"));
+  if (upper(type) != wanted)
+    lines.fail(header.at("DATA_TYPE:"), fmt::format("contains \"{}\"; use the file of {}s", excerpt(type),
+                                                    options.displacement ? "displacement" : "acceleration"));
   Record record;
   record.format = "ESM";
-  record.title = single_spaced(value(lines, "EVENT_NAME") + " " + value(lines, "EVENT_DATE_YYYYMMDD"));
-  record.station = single_spaced(fmt::format("{} {} {}", value(lines, "NETWORK"), entry(lines, "STATION_CODE").value,
-                                             value(lines, "STATION_NAME")));
-  const Entry stream = entry(lines, "STREAM");
-  record.channel =
-      chosen(lines, {{.number = {}, .component = stream.value, .place = {}, .begin = stream.line}}, options).text();
-  const Entry units = entry(lines, "UNITS");
-  const double unit = agreed_unit(lines, units.line, units.value, options, record.unit);
-  const Entry step = entry(lines, "SAMPLING_INTERVAL_S"), npts = entry(lines, "NDATA");
+  record.title =
+      single_spaced(header.value_or_none("EVENT_NAME:") + " " + header.value_or_none("EVENT_DATE_YYYYMMDD:"));
+  record.station = single_spaced(fmt::format("{} {} {}", header.value_or_none("NETWORK:"),
+                                             header.value("STATION_CODE:"), header.value_or_none("STATION_NAME:")));
+  record.channel = chosen(lines, {{.component = header.value("STREAM:")}}, options).text();
+  const double unit = agreed_unit(lines, header.at("UNITS:"), header.value("UNITS:"), options, record.unit);
+  const std::size_t step_line = header.at("SAMPLING_INTERVAL_S:"), count_line = header.at("NDATA:");
   const double dt =
-      checked_positive(lines, step.line, "SAMPLING_INTERVAL_S", lines.number(step.line, step.value), "a time");
-  const std::size_t count = checked_count(lines, npts.line, "NDATA", lines.number(npts.line, npts.value));
-  if (contains(value(lines, "BASELINE_CORRECTION"), "NOT REMOVED") || upper(value(lines, "PROCESSING")) == "NONE")
+      checked_positive(lines, step_line, "SAMPLING_INTERVAL_S", header.number("SAMPLING_INTERVAL_S:"), "a time");
+  const std::size_t count = checked_count(lines, count_line, "NDATA", header.number("NDATA:"));
+  if (contains(header.value_or_none("BASELINE_CORRECTION:"), "NOT REMOVED") ||
+      upper(header.value_or_none("PROCESSING:")) == "NONE")
     record.remark = "uncorrected";
-
-  record.samples.accelerations = read_numbers(lines, header_length, {count, "NDATA"});
-  for (double& a : record.samples.accelerations) a *= unit;
-  record.samples.times = even_times(count, dt);
+  set_samples(record, read_numbers(lines, header_length, {count, "NDATA"}), unit, dt);
   return record;
 }
 

@@ -221,10 +221,39 @@ std::vector<double> read_columns(const Lines& lines, std::size_t begin, const Co
   return values;
 }
 
-std::vector<double> even_times(std::size_t count, double dt) {
-  std::vector<double> times(count);
-  for (std::size_t i = 0; i < count; ++i) times[i] = static_cast<double>(i) * dt;
-  return times;
+double column_number(const Lines& lines, std::size_t begin, const Columns& columns, std::size_t i) {
+  return lines.number(begin + i / columns.per_line, column_field(lines, begin, columns, i));
+}
+
+void set_samples(Record& record, std::vector<double> values, double unit, double dt) {
+  std::vector<double>& times = record.samples.times;
+  for (double& value : values) {
+    value *= unit;
+    times.push_back(static_cast<double>(times.size()) * dt);
+  }
+  record.samples.accelerations = std::move(values);
+}
+
+std::optional<std::size_t> NamedLines::find(std::string_view name) const {
+  for (std::size_t i = 0; i < count_; ++i)
+    if (begins_with(trimmed(lines_[i]), name)) return i;
+  return std::nullopt;
+}
+
+std::size_t NamedLines::at(std::string_view name) const {
+  const auto found = find(name);
+  if (!found) lines_.fail(count_ - 1, fmt::format("the header has no line \"{}\"", name));
+  return *found;
+}
+
+std::string NamedLines::value(std::size_t line) const {
+  const std::size_t end = width_ > 0 ? width_ : lines_[line].find(':');
+  return end < lines_[line].size() ? single_spaced(lines_[line].substr(width_ > 0 ? end : end + 1)) : std::string();
+}
+
+std::string NamedLines::value_or_none(std::string_view name) const {
+  const auto found = find(name);
+  return found ? value(*found) : std::string();
 }
 
 std::string Channel::text() const {

@@ -4,6 +4,7 @@
 /// To add a format, write NAME.cpp in this folder, which defines `constinit const Format NAME`, and add FORMAT(NAME) to
 /// formats.inc.
 
+#include <algorithm>
 #include <cstddef>
 #include <optional>
 #include <regex>
@@ -84,6 +85,29 @@ std::optional<std::vector<std::string>> captured(std::string_view line, const st
 /// A case-insensitive pattern.
 std::regex pattern(const char* text);
 
+// Headers.
+
+/// Lines of a header that start with a name, given in capitals, and have a value behind a colon or a fixed width.
+class NamedLines {
+ public:
+  /// The first `count` lines of a file; `width` is the number of characters of all names, 0 if a colon ends them.
+  NamedLines(const Lines& lines, std::size_t count, std::size_t width = 0)
+      : lines_(lines), count_(std::min(lines.size(), count)), width_(width) {}
+  std::optional<std::size_t> find(std::string_view name) const;
+  /// Line with this name. Throws at the end of the header if there is none.
+  std::size_t at(std::string_view name) const;
+  /// Value of a line, without blanks at its ends.
+  std::string value(std::size_t line) const;
+  std::string value(std::string_view name) const { return value(at(name)); }
+  double number(std::string_view name) const { return lines_.number(at(name), value(name)); }
+  /// Value of a line, empty if there is none.
+  std::string value_or_none(std::string_view name) const;
+
+ private:
+  const Lines& lines_;
+  std::size_t count_, width_;
+};
+
 // Numbers.
 
 /// A number of samples. Throws unless it is an integer from 2 to max_samples.
@@ -120,8 +144,11 @@ std::string_view column_field(const Lines& lines, std::size_t begin, const Colum
 /// Numbers in columns from line `begin`. Throws if their number differs from the stated one.
 std::vector<double> read_columns(const Lines& lines, std::size_t begin, const Columns& columns, const Stated& stated);
 
-/// 0, dt, 2 dt, ... [s]
-std::vector<double> even_times(std::size_t count, double dt);
+/// Number i, from 0, in columns that start at line `begin`.
+double column_number(const Lines& lines, std::size_t begin, const Columns& columns, std::size_t i);
+
+/// Sets samples at the times 0, dt, 2 dt, ... [s]: values of the file times their unit.
+void set_samples(Record& record, std::vector<double> values, double unit, double dt);
 
 // Units of accelerations or, depending on the options, of displacements or forces.
 
@@ -158,10 +185,10 @@ double agreed_unit(const Lines& lines, const std::vector<StatedUnit>& stated, co
 
 /// One channel of a file with several.
 struct Channel {
-  std::string number;     ///< as in the file; may be empty
-  std::string component;  ///< "90 deg", "Up", "N-S"; may be empty
-  std::string place;      ///< location in a structure or borehole; may be empty
-  std::size_t begin = 0;  ///< first line
+  std::string number{};     ///< as in the file; may be empty
+  std::string component{};  ///< "90 deg", "Up", "N-S"; may be empty
+  std::string place{};      ///< location in a structure or borehole; may be empty
+  std::size_t begin = 0;    ///< first line
 
   /// "2: 90 deg, roof"
   std::string text() const;

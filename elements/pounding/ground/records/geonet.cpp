@@ -35,7 +35,7 @@ Channel read_channel(const Lines& lines, std::size_t begin) {
   static const std::regex words = pattern(R"(^\s*component\s+(\S+)\s*(.*)$)");
   const auto parts = captured(lines.at(begin + 12, "the line of the component"), words);
   if (!parts) lines.fail(begin + 12, "is not a line such as \"Component N28W\"");
-  return {.number = {}, .component = (*parts)[0], .place = single_spaced((*parts)[1]), .begin = begin};
+  return {.component = (*parts)[0], .place = single_spaced((*parts)[1]), .begin = begin};
 }
 
 std::vector<Channel> find_channels(const Lines& lines) {
@@ -47,7 +47,7 @@ std::vector<Channel> find_channels(const Lines& lines) {
 
 /// Header values are numbered from 1, as in the description.
 double header_number(const Lines& lines, std::size_t begin, std::size_t number) {
-  return lines.number(begin + (number - 1) / fields.per_line, column_field(lines, begin, fields, number - 1));
+  return column_number(lines, begin, fields, number - 1);
 }
 
 std::size_t stated_count(const Lines& lines, std::size_t begin) {
@@ -126,14 +126,12 @@ Record read(const Lines& lines, const RecordOptions& options) {
   const double unit = agreed_unit(lines, begin + 13, (*stated_peak)[1], options, record.unit);
   const std::size_t count = stated_count(lines, begin);
   check_lines(lines, begin, count);
-  std::vector<double>& values = record.samples.accelerations;
-  values = read_values(lines, begin, count, record);
+  std::vector<double> values = read_values(lines, begin, count, record);
   const auto reading = captured(lines[begin + 10], readings);
   const double factor = raw && reading ? checked_positive(lines, begin + 10, "the unit of the readings",
                                                           lines.number(begin + 10, reading->front()), "a number")
                                        : 1;
-  for (double& a : values) a *= unit * factor;
-  record.samples.times = even_times(values.size(), read_interval(lines, begin));
+  set_samples(record, std::move(values), unit * factor, read_interval(lines, begin));
   return record;
 }
 

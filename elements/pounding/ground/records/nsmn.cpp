@@ -21,19 +21,6 @@ bool recognises(const Lines& lines) {
   return lines.size() > 0 && begins_with(trimmed(lines[0]), "STRONG GROUND MOTION RECORDS OF T");
 }
 
-/// Header line that starts with this key, given in capitals.
-std::size_t find_line(const Lines& lines, std::string_view key) {
-  const std::size_t end = std::min(lines.size(), header_lines);
-  for (std::size_t i = 0; i < end; ++i)
-    if (begins_with(lines[i], key)) return i;
-  lines.fail(end - 1, fmt::format("the header has no line \"{}\"", key));
-}
-
-std::string value(const Lines& lines, std::size_t i) {
-  const std::size_t colon = lines[i].find(':');
-  return colon == std::string_view::npos ? std::string() : single_spaced(lines[i].substr(colon + 1));
-}
-
 bool holds_values(std::string_view line) {
   const auto words = split_at_blanks(line);
   double number = 0;
@@ -42,7 +29,8 @@ bool holds_values(std::string_view line) {
 
 Record read(const Lines& lines, const RecordOptions& options) {
   static const std::regex bracket = pattern(R"(\(([^)]*)\)\s*:)");
-  const std::size_t count_line = find_line(lines, "NUMBER OF DATA"), step_line = find_line(lines, "SAMPLING INTERVAL");
+  const NamedLines header(lines, header_lines);
+  const std::size_t count_line = header.at("NUMBER OF DATA"), step_line = header.at("SAMPLING INTERVAL");
   std::size_t unit_line = count_line;
   while (unit_line + 1 < std::min(lines.size(), header_lines) && !contains(lines[unit_line], "PGA VALUES")) ++unit_line;
   std::size_t begin = std::max(count_line, step_line) + 1;
@@ -51,10 +39,7 @@ Record read(const Lines& lines, const RecordOptions& options) {
   while (names_line > step_line && trimmed(lines[names_line]).empty()) --names_line;
   std::vector<Channel> channels;
   for (const std::string_view name : split_at_blanks(lines[names_line]))
-    channels.push_back({.number = std::to_string(channels.size() + 1),
-                        .component = std::string(name),
-                        .place = {},
-                        .begin = channels.size()});
+    channels.push_back({std::to_string(channels.size() + 1), std::string(name), {}, channels.size()});
   lines.at(begin, "the values");
   const std::size_t columns = split_at_blanks(lines[begin]).size();
   if (channels.size() != columns)
@@ -64,10 +49,8 @@ Record read(const Lines& lines, const RecordOptions& options) {
 
   Record record;
   record.format = "AFAD (TR-NSMN)";
-  record.title = single_spaced(fmt::format("{}, M {}", value(lines, find_line(lines, "EARTHQUAKE DATE")),
-                                           value(lines, find_line(lines, "EARTHQUAKE MAGNITUDE"))));
-  record.station = single_spaced(
-      fmt::format("{} {}", value(lines, find_line(lines, "STATION ID")), value(lines, find_line(lines, "PLACE"))));
+  record.title = fmt::format("{}, M {}", header.value("EARTHQUAKE DATE"), header.value("EARTHQUAKE MAGNITUDE"));
+  record.station = single_spaced(header.value("STATION ID") + " " + header.value("PLACE"));
   record.channel = channel.text();
   record.remark = "uncorrected";
   const auto unit_text = captured(lines[unit_line], bracket);
@@ -77,15 +60,14 @@ Record read(const Lines& lines, const RecordOptions& options) {
   const auto time_text = captured(lines[step_line].substr(0, lines[step_line].find(':')), in_bracket);
   const std::optional<double> seconds = unit_of_time(time_text ? time_text->front() : "s");
   if (!seconds) lines.fail(step_line, fmt::format("\"{}\" is not the unit of a time", time_text->front()));
-  const double dt = checked_positive(lines, step_line, "SAMPLING INTERVAL",
-                                     lines.number(step_line, value(lines, step_line)) * *seconds, "a time");
-  const std::size_t count =
-      checked_count(lines, count_line, "NUMBER OF DATA", lines.number(count_line, value(lines, count_line)));
+  const double dt =
+      checked_positive(lines, step_line, "SAMPLING INTERVAL", header.number("SAMPLING INTERVAL") * *seconds, "a time");
+  const std::size_t count = checked_count(lines, count_line, "NUMBER OF DATA", header.number("NUMBER OF DATA"));
   const std::vector<double> all =
       read_numbers(lines, begin, {count * columns, fmt::format("NUMBER OF DATA, in {} columns,", columns)});
-  for (std::size_t i = 0; i < count; ++i)
-    record.samples.accelerations.push_back(unit * all[i * columns + channel.begin]);
-  record.samples.times = even_times(count, dt);
+  std::vector<double> values;
+  for (std::size_t i = 0; i < count; ++i) values.push_back(all[i * columns + channel.begin]);
+  set_samples(record, std::move(values), unit, dt);
   return record;
 }
 

@@ -77,9 +77,7 @@ Record read(const Lines& lines, const RecordOptions& options) {
   }
   const double unit = agreed_unit(lines, stated_at, stated, options, record.unit);
 
-  record.samples.accelerations = read_numbers(lines, npts_line + 1, {npts, "NPTS"});
-  record.samples.times = even_times(npts, dt);
-  for (double& a : record.samples.accelerations) a *= unit;
+  set_samples(record, read_numbers(lines, npts_line + 1, {npts, "NPTS"}), unit, dt);
   return record;
 }
 

@@ -29,13 +29,13 @@ bool recognises(const Lines& lines) {
   return begins_with(first, uncorrected) || begins_with(first, corrected);
 }
 
-/// Header values are numbered from 1, as in the description.
-double header_number(const Lines& lines, std::size_t begin, const Columns& columns, std::size_t number) {
-  return lines.number(begin + (number - 1) / columns.per_line, column_field(lines, begin, columns, number - 1));
+/// Integers of the header are numbered from 1, as in the description.
+double header_integer(const Lines& lines, std::size_t number) {
+  return column_number(lines, integers_line, integers, number - 1);
 }
 
 double read_rate(const Lines& lines) {
-  const double unknown = header_number(lines, reals_line, reals, 1), rate = header_number(lines, reals_line, reals, 2);
+  const double unknown = column_number(lines, reals_line, reals, 0), rate = column_number(lines, reals_line, reals, 1);
   if (rate == unknown || rate <= 0)
     lines.fail(reals_line, "does not state a sampling rate; uneven samples are not supported");
   return rate;
@@ -52,26 +52,23 @@ Record read(const Lines& lines, const RecordOptions& options) {
   const auto parts = captured(lines.at(5, "the end of its header"), names);
   if (!parts) lines.fail(5, "has no \"station = ... component= ...\"");
   record.station = single_spaced((*parts)[0]);
-  record.channel =
-      chosen(lines, {{.number = {}, .component = single_spaced((*parts)[1]), .place = {}, .begin = 5}}, options).text();
+  record.channel = chosen(lines, {{.component = single_spaced((*parts)[1])}}, options).text();
   if (begins_with(kind, uncorrected)) record.remark = "uncorrected";
   const double unit = agreed_unit(lines, 0, "cm/s^2", options, record.unit);
 
   const double rate = read_rate(lines);
-  const std::size_t count = checked_count(lines, integers_line + 2, "integer 17, the number of samples",
-                                          header_number(lines, integers_line, integers, 17));
-  const double comments = header_number(lines, integers_line, integers, 16);
+  const std::size_t count =
+      checked_count(lines, integers_line + 2, "integer 17, the number of samples", header_integer(lines, 17));
+  const double comments = header_integer(lines, 16);
   std::size_t begin = comments_line;
   for (; begin < lines.size() && lines[begin].starts_with('|'); ++begin) {
   }
   if (comments >= 0 && static_cast<double>(begin - comments_line) != comments)
     lines.fail(integers_line + 1, fmt::format("integer 16 states {:g} comments, but {} lines start with \"|\"",
                                               comments, begin - comments_line));
-  const bool many_digits = header_number(lines, integers_line, integers, 47) == 8;
-  record.samples.accelerations =
-      read_columns(lines, begin, many_digits ? Columns{5, 14} : Columns{8, 10}, {count, "integer 17 of its header"});
-  for (double& a : record.samples.accelerations) a *= unit;
-  record.samples.times = even_times(count, 1 / rate);
+  const bool many_digits = header_integer(lines, 47) == 8;
+  const Columns columns = many_digits ? Columns{5, 14} : Columns{8, 10};
+  set_samples(record, read_columns(lines, begin, columns, {count, "integer 17 of its header"}), unit, 1 / rate);
   return record;
 }
 

@@ -27,24 +27,6 @@ bool recognises(const Lines& lines) {
   return false;
 }
 
-/// Header line that starts with this key, given in capitals.
-std::optional<std::size_t> find_line(const Lines& lines, std::string_view key) {
-  for (std::size_t i = 0; i < std::min(lines.size(), header_lines); ++i)
-    if (begins_with(trimmed(lines[i]), key)) return i;
-  return std::nullopt;
-}
-
-std::size_t line_of(const Lines& lines, std::string_view key) {
-  const auto i = find_line(lines, key);
-  if (!i) lines.fail(std::min(lines.size(), header_lines) - 1, fmt::format("the header has no line \"{}\"", key));
-  return *i;
-}
-
-std::string value(const Lines& lines, std::size_t i) {
-  const std::size_t colon = lines[i].find(':');
-  return colon == std::string_view::npos ? std::string() : single_spaced(lines[i].substr(colon + 1));
-}
-
 /// Entries of "/V/N00E/N90E", one per channel, for keys that end in C1-C6 or C7-C12.
 std::vector<std::string> list(const Lines& lines, std::string_view key) {
   std::vector<std::string> entries;
@@ -52,7 +34,7 @@ std::vector<std::string> list(const Lines& lines, std::string_view key) {
     for (std::size_t i = 0; i < std::min(lines.size(), header_lines); ++i) {
       const std::string_view name = lines[i].substr(0, lines[i].find(" :"));
       if (!begins_with(trimmed(lines[i]), key) || !contains(name, range)) continue;
-      const std::string text = value(lines, i);
+      const std::string text = NamedLines(lines, header_lines).value(i);
       for (std::size_t at = text.find('/'); at != std::string::npos;) {
         const std::size_t next = text.find('/', at + 1);
         entries.emplace_back(
@@ -67,45 +49,41 @@ std::vector<std::string> list(const Lines& lines, std::string_view key) {
 /// Number of a list for a channel.
 double number(const Lines& lines, std::string_view key, std::size_t channel) {
   const std::vector<std::string> entries = list(lines, key);
-  const std::size_t i = line_of(lines, key);
+  const std::size_t i = NamedLines(lines, header_lines).at(key);
   if (channel >= entries.size()) lines.fail(i, fmt::format("has no entry for channel {}", channel + 1));
   return lines.number(i, entries[channel]);
 }
 
-Columns columns_of(const Lines& lines, std::size_t channels) {
-  const std::size_t i = line_of(lines, "FORMATO DATOS");
-  const auto columns = fortran_columns("(" + value(lines, i) + ")");
+Columns columns_of(const Lines& lines, const NamedLines& header, std::size_t channels) {
+  const std::size_t i = header.at("FORMATO DATOS");
+  const auto columns = fortran_columns("(" + header.value(i) + ")");
   if (!columns || columns->per_line < channels)
-    lines.fail(i, fmt::format("\"{}\" does not state columns for {} channels, such as 3F10.4", excerpt(value(lines, i)),
+    lines.fail(i, fmt::format("\"{}\" does not state columns for {} channels, such as 3F10.4", excerpt(header.value(i)),
                               channels));
   return *columns;
 }
 
 Record read(const Lines& lines, const RecordOptions& options) {
-  const std::vector<std::string> orientations = list(lines, "ORIENTACION C");
+  const NamedLines header(lines, header_lines);
   std::vector<Channel> channels;
-  for (const std::string& orientation : orientations)
+  for (const std::string& orientation : list(lines, "ORIENTACION C"))
     channels.push_back({.number = std::to_string(channels.size() + 1),
                         .component = single_spaced(orientation.substr(0, orientation.find(';'))),
-                        .place = {},
                         .begin = channels.size()});
-  if (channels.empty()) lines.fail(line_of(lines, "ORIENTACION C"), "does not name channels, as in /V/N00E/N90E");
+  if (channels.empty()) lines.fail(header.at("ORIENTACION C"), "does not name channels, as in /V/N00E/N90E");
   const Channel channel = chosen(lines, channels, options);
   const std::size_t k = channel.begin;
 
   Record record;
   record.format = "UNAM";
   record.channel = channel.text();
-  record.title = single_spaced(
-      fmt::format("{} {}", value(lines, line_of(lines, "FECHA DEL SISMO")), value(lines, line_of(lines, "MAGNITUD"))));
-  record.station = single_spaced(fmt::format("{} {}", value(lines, line_of(lines, "CLAVE DE LA ESTACION")),
-                                             value(lines, line_of(lines, "NOMBRE DE LA ESTACION"))));
-  const std::size_t unit_line = line_of(lines, "UNIDADES DE LOS DATOS");
-  const std::string unit_text = value(lines, unit_line);
+  record.title = single_spaced(header.value("FECHA DEL SISMO") + " " + header.value("MAGNITUD"));
+  record.station = single_spaced(header.value("CLAVE DE LA ESTACION") + " " + header.value("NOMBRE DE LA ESTACION"));
+  const std::size_t unit_line = header.at("UNIDADES DE LOS DATOS");
+  const std::string unit_text = header.value(unit_line);
   const double unit =
       agreed_unit(lines, unit_line, single_spaced(unit_text.substr(0, unit_text.find('('))), options, record.unit);
-  const std::size_t count_line = line_of(lines, "NUM. TOTAL DE MUESTRAS"),
-                    step_line = line_of(lines, "INTERVALO DE MUESTREO");
+  const std::size_t count_line = header.at("NUM. TOTAL DE MUESTRAS"), step_line = header.at("INTERVALO DE MUESTREO");
   const std::size_t count =
       checked_count(lines, count_line, "the number of samples", number(lines, "NUM. TOTAL DE MUESTRAS", k));
   const double dt =
@@ -114,18 +92,18 @@ Record read(const Lines& lines, const RecordOptions& options) {
   const double duration = number(lines, "DURACION DEL REGISTRO", k);
   if (std::abs(static_cast<double>(count) * dt - duration) > std::max(2 * dt, 0.01 * duration))
     lines.fail(step_line, fmt::format("{} samples every {:g} s disagree with the duration of {:g} s on line {}", count,
-                                      dt, duration, line_of(lines, "DURACION DEL REGISTRO") + 1));
+                                      dt, duration, header.at("DURACION DEL REGISTRO") + 1));
 
-  std::size_t begin = line_of(lines, values_title) + 1;
+  std::size_t begin = header.at(values_title) + 1;
   for (std::size_t rules = 0; rules < 2; ++begin)
     if (lines.at(begin, "the values").starts_with("---")) ++rules;
-  const Columns columns = columns_of(lines, channels.size());
+  const Columns columns = columns_of(lines, header, channels.size());
   if (begin + count > lines.size())
     lines.fail(lines.size() - 1, fmt::format("the values end here, after {}, but line {} states {}",
                                              lines.size() - begin, count_line + 1, count));
+  std::vector<double> values;
   for (std::size_t i = 0; i < count; ++i)
-    record.samples.accelerations.push_back(
-        unit * lines.sample(begin + i, column_field(lines, begin, columns, i * columns.per_line + k)));
+    values.push_back(lines.sample(begin + i, column_field(lines, begin, columns, i * columns.per_line + k)));
   std::size_t more = 0;
   while (begin + count + more < lines.size() &&
          !column_field(lines, begin, columns, (count + more) * columns.per_line + k).empty())
@@ -136,7 +114,7 @@ Record read(const Lines& lines, const RecordOptions& options) {
   if (more > 0)
     record.warnings.push_back(
         fmt::format("{} rows in excess of the {} stated on line {} are omitted", more, count, count_line + 1));
-  record.samples.times = even_times(count, dt);
+  set_samples(record, std::move(values), unit, dt);
   return record;
 }
 

@@ -39,7 +39,7 @@ std::string text(const Lines& lines, std::size_t begin, std::size_t number) {
 Channel read_channel(const Lines& lines, std::size_t begin) {
   const std::string line = text(lines, begin, 7);
   if (!begins_with(line, "COMP ")) lines.fail(text_line(lines, begin, 7), "is not a line such as \"COMP S05W\"");
-  return {.number = {}, .component = line.substr(5), .place = {}, .begin = begin};
+  return {.component = line.substr(5), .begin = begin};
 }
 
 std::vector<Channel> find_channels(const Lines& lines) {
