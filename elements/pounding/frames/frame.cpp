@@ -71,10 +71,10 @@ int Frame::index(int node, Dof dof) const {
   return checked(node) * dofs() + at;
 }
 
-const Frame::Member& Frame::of(int member) const {
+std::size_t Frame::checked_member(int member) const {
   if (member < 0 || member >= members())
     refuse("unknown member " + std::to_string(member) + "; number of members: " + std::to_string(members()));
-  return members_[member];
+  return static_cast<std::size_t>(member);
 }
 
 std::array<int, 2> Frame::ends(int member) const { return {of(member).start, of(member).end}; }
@@ -180,7 +180,17 @@ void Frame::add_mass(int node, Dof dof, double mass) {
   engaged_.insert(at);
 }
 
-void Frame::add_between(Entries& entries, int node_a, int node_b, Dof dof, double value) {
+int Frame::add_to_ground(Entries& entries, int node, Dof dof, double value, const char* what) {
+  const int at = index(node, dof);
+  require_not_negative(value, node, what);
+  entries.emplace_back(at, at, value);
+  engaged_.insert(at);
+  connected_.insert(node);
+  return at;
+}
+
+void Frame::add_between(Entries& entries, int node_a, int node_b, Dof dof, double value, const std::string& what) {
+  if (checked(node_a) == checked(node_b)) refuse(node_text(node_a) + what + " must connect two different nodes");
   const int a = index(node_a, dof), b = index(node_b, dof);
   entries.insert(entries.end(), {{a, a, value}, {b, b, value}, {a, b, -value}, {b, a, -value}});
   engaged_.insert({a, b});
@@ -188,33 +198,22 @@ void Frame::add_between(Entries& entries, int node_a, int node_b, Dof dof, doubl
 }
 
 void Frame::add_spring(int node, Dof dof, double stiffness) {
-  const int at = index(node, dof);
-  require_not_negative(stiffness, node, "stiffness");
-  springs_.emplace_back(at, at, stiffness);
-  ground_springs_.emplace_back(at, stiffness);
-  engaged_.insert(at);
-  connected_.insert(node);
+  ground_springs_.emplace_back(add_to_ground(springs_, node, dof, stiffness, "stiffness"), stiffness);
 }
 
 void Frame::add_spring(int node_a, int node_b, Dof dof, double stiffness) {
   require_not_negative(stiffness, node_a, "stiffness");
-  if (checked(node_a) == checked(node_b)) refuse(node_text(node_a) + "a spring must connect two different nodes");
-  add_between(springs_, node_a, node_b, dof, stiffness);
+  add_between(springs_, node_a, node_b, dof, stiffness, "a spring");
   between_.push_back({node_a, node_b, dof, stiffness});
 }
 
 void Frame::add_dashpot(int node, Dof dof, double coefficient) {
-  const int at = index(node, dof);
-  require_not_negative(coefficient, node, "the dashpot's coefficient");
-  dashpots_.emplace_back(at, at, coefficient);
-  engaged_.insert(at);
-  connected_.insert(node);
+  add_to_ground(dashpots_, node, dof, coefficient, "the dashpot's coefficient");
 }
 
 void Frame::add_dashpot(int node_a, int node_b, Dof dof, double coefficient) {
   require_not_negative(coefficient, node_a, "the dashpot's coefficient");
-  if (checked(node_a) == checked(node_b)) refuse(node_text(node_a) + "a dashpot must connect two different nodes");
-  add_between(dashpots_, node_a, node_b, dof, coefficient);
+  add_between(dashpots_, node_a, node_b, dof, coefficient, "a dashpot");
 }
 
 void Frame::add_load(int node, Dof dof, double force) {
@@ -256,7 +255,6 @@ std::vector<int> Frame::grounded_nodes() const {
 void Frame::follow(int node, Dof dof, int master, Row row) {
   const int at = index(node, dof);
   if (checked(master) == node) refuse(node_text(node) + "a node cannot be tied to itself");
-  std::erase_if(row, [](const auto& term) { return term.second == 0; });
   engaged_.insert(at);
   for (const auto& [of_master, factor] : row) engaged_.insert(of_master);
   if (!follows_.emplace(at, std::move(row)).second)
@@ -268,9 +266,8 @@ void Frame::tie(int master, int node, const std::vector<Dof>& dofs) {
   for (const Dof dof : dofs) follow(node, dof, master, {{index(master, dof), 1.0}});
 }
 
-void Frame::tie_rigidly(int master, int node) {
-  const Vector3d arm = positions_[checked(node)] - positions_[checked(master)];
-  for (const Dof dof : dofs_of(dimension_)) {
+void Frame::follow_rigidly(int node, std::span<const Dof> dofs, int master, const Vector3d& arm) {
+  for (const Dof dof : dofs) {
     Row row;
     for (const auto& [of_master, factor] : on_rigid_body(dof, arm))
       if (factor != 0) row.emplace_back(index(master, of_master), factor);
@@ -278,16 +275,16 @@ void Frame::tie_rigidly(int master, int node) {
   }
 }
 
+void Frame::tie_rigidly(int master, int node) {
+  follow_rigidly(node, dofs_of(dimension_), master, positions_[checked(node)] - positions_[checked(master)]);
+}
+
 void Frame::tie_floor(int master, const std::vector<int>& nodes) {
+  constexpr std::array in_floor{Dof::ux, Dof::uy, Dof::rz};
   for (const int node : nodes) {
-    if (dimension_ == 2) {
-      tie(master, node, {Dof::ux});
-      continue;
-    }
-    const Vector3d arm = positions_[checked(node)] - positions_[checked(master)];
-    follow(node, Dof::ux, master, {{index(master, Dof::ux), 1.0}, {index(master, Dof::rz), -arm.y()}});
-    follow(node, Dof::uy, master, {{index(master, Dof::uy), 1.0}, {index(master, Dof::rz), arm.x()}});
-    tie(master, node, {Dof::rz});
+    Vector3d arm = positions_[checked(node)] - positions_[checked(master)];
+    arm.z() = 0;
+    follow_rigidly(node, dimension_ == 2 ? std::span(in_floor).first(1) : std::span<const Dof>(in_floor), master, arm);
   }
 }
 

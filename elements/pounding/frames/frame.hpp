@@ -229,16 +229,19 @@ class Frame {
   using Entries = std::vector<Eigen::Triplet<double>>;
 
   int dofs() const { return dimension_ == 2 ? 3 : 6; }
-  const Member& of(int member) const;
-  Member& of(int member) { return const_cast<Member&>(std::as_const(*this).of(member)); }
+  const Member& of(int member) const { return members_[checked_member(member)]; }
+  Member& of(int member) { return members_[checked_member(member)]; }
+  std::size_t checked_member(int member) const;
   std::string nodes_text(int start, int end) const;
   std::string node_text(int node) const { return "node " + node_name(node) + ": "; }
   std::string label(int at) const;  // of a displacement
   void require_not_negative(double value, int node, const char* what) const;
-  void add_between(Entries& entries, int node_a, int node_b, Dof dof, double value);
+  int add_to_ground(Entries& entries, int node, Dof dof, double value, const char* what);
+  void add_between(Entries& entries, int node_a, int node_b, Dof dof, double value, const std::string& what);
   int checked(int node) const;
   int index(int node, Dof dof) const;
   void follow(int node, Dof dof, int master, Row row);
+  void follow_rigidly(int node, std::span<const Dof> dofs, int master, const Eigen::Vector3d& arm);
   bool is_loose(int at) const;
   void trace(AssembledFrame& frame) const;
   Eigen::SparseMatrix<double> gathered(const Entries& nodal, Matrix12 (Beam::*of_member)() const) const;

@@ -6,6 +6,7 @@
 #include <numeric>
 #include <utility>
 
+#include <pounding/frames/frame_dofs.hpp>
 #include <pounding/frames/frame_surface.hpp>
 #include <pounding/frames/sections.hpp>
 
@@ -76,35 +77,35 @@ double lowest_support(const FrameModel& model) {
   return lowest;
 }
 
-// Forces along x, and y in space, on the upper ends of the members and springs that cross the cut; without members with
-// large rotations.
-std::vector<Row> shear_through(const FrameModel& model, const AssembledFrame& frame, const std::vector<bool>& above) {
-  const int directions = frame.dimension - 1;
-  std::vector<Eigen::VectorXd> sums(directions, Eigen::VectorXd::Zero(frame.size()));
-  for (int member = 0; model.geometry != FrameGeometry::corotational && member < model.frame.members(); ++member) {
-    const auto [start, end] = model.frame.ends(member);
+// Forces along x, and y in space, on the upper ends of the members and springs that cross the cut, as factors of the
+// displacements of all nodes; without members with large rotations.
+Eigen::SparseMatrix<double, Eigen::RowMajor> shear_through(const FrameModel& model, const std::vector<bool>& above) {
+  const Frame& frame = model.frame;
+  const int directions = frame.dimension() - 1, dofs = static_cast<int>(dofs_of(frame.dimension()).size());
+  const auto index = [&](int node, Dof dof) { return node * dofs + frame_dofs::place(frame.dimension(), dof); };
+  std::vector<Eigen::Triplet<double>> entries;
+  for (int member = 0; model.geometry != FrameGeometry::corotational && member < frame.members(); ++member) {
+    const auto [start, end] = frame.ends(member);
     if (above[start] == above[end]) continue;
-    const Beam& beam = model.frame.beam(member);
+    const Beam& beam = frame.beam(member);
     const Matrix12 forces = beam.end_force_matrix();
     const int upper = above[start] ? 0 : 6;
     for (const auto& [node, first] : {std::pair(start, 0), {end, 6}})
-      for (const Dof dof : dofs_of(frame.dimension)) {
+      for (const Dof dof : dofs_of(frame.dimension())) {
         const Vector3d by_motion = beam.axes().transpose() * forces.block<3, 1>(upper, first + static_cast<int>(dof));
-        const Row motion = frame.motion(node, dof);
-        for (Row::InnerIterator it(motion); it; ++it)
-          for (int d = 0; d < directions; ++d) sums[d][it.index()] += by_motion[d] * it.value();
+        for (int d = 0; d < directions; ++d) entries.emplace_back(d, index(node, dof), by_motion[d]);
       }
   }
-  for (const FrameSpring& spring : model.frame.springs()) {
-    const int direction = static_cast<int>(spring.dof);
+  for (const FrameSpring& spring : frame.springs()) {
+    const int direction = static_cast<int>(spring.dof);  // ux and uy come first
     if (above[spring.start] == above[spring.end] || direction >= directions) continue;
-    const int upper = above[spring.start] ? spring.start : spring.end,
-              lower = above[spring.start] ? spring.end : spring.start;
-    sums[direction] += spring.stiffness * (frame.motion(upper, spring.dof) - frame.motion(lower, spring.dof));
+    const double stiffness = above[spring.start] ? spring.stiffness : -spring.stiffness;
+    entries.emplace_back(direction, index(spring.start, spring.dof), stiffness);
+    entries.emplace_back(direction, index(spring.end, spring.dof), -stiffness);
   }
-  std::vector<Row> rows;
-  for (const Eigen::VectorXd& sum : sums) rows.push_back(sum.sparseView());
-  return rows;
+  Eigen::SparseMatrix<double, Eigen::RowMajor> factors(directions, frame.nodes() * dofs);
+  factors.setFromTriplets(entries.begin(), entries.end());
+  return factors;
 }
 
 // A storey of zero height, as with bearings, has its floor above the cut and all other nodes at this height below.
@@ -153,30 +154,13 @@ std::vector<std::vector<bool>> storey_cuts(const FrameModel& model) {
   return above;
 }
 
-Eigen::MatrixX3d enforced_shears(const FrameModel& model, const AssembledFrame& frame,
-                                 const Eigen::MatrixX3d& enforced) {
-  const std::vector<std::vector<bool>> above = storey_cuts(model);
-  const int directions = frame.dimension - 1;
-  const int dofs = static_cast<int>(dofs_of(frame.dimension).size());
-  Eigen::MatrixX3d shears = Eigen::MatrixX3d::Zero(static_cast<int>(above.size()) * directions, 3);
-  for (std::size_t floor = 0; floor < above.size(); ++floor) {
-    auto sum = shears.middleRows(static_cast<int>(floor) * directions, directions);
-    for (int member = 0; member < model.frame.members(); ++member) {
-      const auto [start, end] = model.frame.ends(member);
-      if (above[floor][start] == above[floor][end]) continue;
-      const Eigen::Matrix<double, 12, 3> forces = model.frame.enforced_end_forces(member, enforced);
-      const Eigen::Matrix3d in_space =
-          model.frame.beam(member).axes().transpose() * forces.middleRows<3>(above[floor][start] ? 0 : 6);
-      sum += in_space.topRows(directions);
-    }
-    for (const FrameSpring& spring : model.frame.springs()) {
-      const int direction = static_cast<int>(spring.dof);
-      if (above[floor][spring.start] == above[floor][spring.end] || direction >= directions) continue;
-      const double sign = above[floor][spring.start] ? 1 : -1;  // ux and uy come first
-      sum.row(direction) +=
-          sign * spring.stiffness *
-          (enforced.row(spring.start * dofs + direction) - enforced.row(spring.end * dofs + direction));
-    }
+Eigen::MatrixX3d enforced_shears(const FrameModel& model, const Eigen::MatrixX3d& enforced) {
+  const int directions = model.frame.dimension() - 1;
+  Eigen::MatrixX3d shears(static_cast<int>(model.floors.size()) * directions, 3);
+  int row = 0;
+  for (const std::vector<bool>& above : storey_cuts(model)) {
+    shears.middleRows(row, directions) = shear_through(model, above) * enforced;
+    row += directions;
   }
   return shears;
 }
@@ -194,7 +178,12 @@ std::vector<Floor> make_floors(const FrameModel& model, const AssembledFrame& fr
     floor.beam_depth = depths[floors.size()];
     floor.motion = floor_motion(model, frame, of);
     floor.plan = plan_of(model, frame, of);
-    if (!model.is_free) floor.storey_shear = shear_through(model, frame, above[floors.size()]);
+    if (!model.is_free) {
+      const Eigen::SparseMatrix<double, Eigen::RowMajor> shear =
+          shear_through(model, above[floors.size()]) * frame.transform;
+      for (int row = 0; row < shear.rows(); ++row)
+        floor.storey_shear.push_back(Row(shear.row(row).transpose()).pruned());
+    }
     floors.push_back(std::move(floor));
   }
   return floors;

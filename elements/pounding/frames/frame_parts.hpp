@@ -23,8 +23,7 @@ std::vector<Floor> make_floors(const FrameModel& model, const AssembledFrame& fr
 
 /// Storey shears due to enforced support displacements of all nodes (Frame::SupportMotion), floor by floor, along x,
 /// and y in space [N/m].
-Eigen::MatrixX3d enforced_shears(const FrameModel& model, const AssembledFrame& frame,
-                                 const Eigen::MatrixX3d& enforced);
+Eigen::MatrixX3d enforced_shears(const FrameModel& model, const Eigen::MatrixX3d& enforced);
 
 /// Adds the hinges to a structure with known state at rest, floors and internal forces: its yielding parts with their
 /// flexibility, and their contributions to storey shears, member end forces and reactions.

@@ -32,7 +32,7 @@ void report_enforced(const FrameModel& model, const AssembledFrame& frame, const
   for (std::size_t i = 0; i < model.reported_nodes->size(); ++i)
     support.nodes.middleRows(static_cast<int>(i) * dofs, dofs) =
         support.enforced.middleRows((*model.reported_nodes)[i] * dofs, dofs);
-  support.shears = enforced_shears(model, frame, support.enforced);
+  support.shears = enforced_shears(model, support.enforced);
   const int places = static_cast<int>(report.places.size());
   support.forces.resize(report.rows.rows(), 3);
   for (int m = 0; m < model.frame.members(); ++m) {

@@ -289,21 +289,20 @@ class FrameReader {
 // Fails at the hinge, isolator, spring, node or member with which the message begins, else at the frame.
 [[noreturn]] void fail_at_part(const std::string& refusal, const FrameInput& from, const Input& body) {
   const Frame& frame = from.model.frame;
-  for (std::size_t hinge = 0; hinge < from.hinge_locations.size(); ++hinge)
-    if (refusal.starts_with(fmt::format("hinge {}: ", frame.hinge_name(static_cast<int>(hinge)))))
-      from.hinge_locations[hinge].fail(refusal);
-  for (std::size_t i = 0; i < from.isolator_locations.size(); ++i) {
-    const std::string name = "isolator " + frame.node_name(from.model.isolators[i].node);
-    if (refusal.starts_with(name + ": ") || refusal.starts_with(name + " ")) from.isolator_locations[i].fail(refusal);
-  }
-  for (std::size_t i = 0; i < from.uplift_locations.size(); ++i)
-    if (refusal.starts_with(fmt::format("support {}: ", frame.node_name(from.model.uplifts[i].node))))
-      from.uplift_locations[i].fail(refusal);
-  for (int node = 0; node < frame.nodes(); ++node)
-    if (refusal.starts_with(fmt::format("node {}: ", frame.node_name(node)))) from.node_locations[node].fail(refusal);
-  for (int member = 0; member < frame.members(); ++member)
-    if (refusal.starts_with(fmt::format("member {}: ", frame.member_name(member))))
-      from.member_locations[member].fail(refusal);
+  const auto fail_at_named = [&](const std::vector<Input>& locations, std::string_view kind, const auto& name_of) {
+    for (int i = 0; i < static_cast<int>(locations.size()); ++i) {
+      const std::string name = fmt::format("{} {}", kind, name_of(i));
+      // An isolator in space has one part per axis: "isolator a x: ".
+      if (refusal.starts_with(name + ": ") || (kind == "isolator" && refusal.starts_with(name + " ")))
+        locations[i].fail(refusal);
+    }
+  };
+  fail_at_named(from.hinge_locations, "hinge", [&](int i) { return frame.hinge_name(i); });
+  fail_at_named(from.isolator_locations, "isolator",
+                [&](int i) { return frame.node_name(from.model.isolators[i].node); });
+  fail_at_named(from.uplift_locations, "support", [&](int i) { return frame.node_name(from.model.uplifts[i].node); });
+  fail_at_named(from.node_locations, "node", [&](int i) { return frame.node_name(i); });
+  fail_at_named(from.member_locations, "member", [&](int i) { return frame.member_name(i); });
   body.fail(refusal);
 }
 
