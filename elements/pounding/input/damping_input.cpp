@@ -14,9 +14,6 @@ namespace {
 
 using To = ProportionalDamping::To;
 
-constexpr std::array<std::string_view, 4> damping_models{"rayleigh", "mass_proportional", "stiffness_proportional",
-                                                         "modal"};
-
 std::optional<DampedStiffness> read_damped_stiffness(const Input& node, const Structure& s) {
   const auto of = node.find("of");
   if (!of) return std::nullopt;
@@ -47,7 +44,7 @@ RayleighDamping read_two_points(const Input& node, const Structure& s) {
 // Refuses these keys next to the factors alpha and beta.
 void refuse_next_to_factors(const Input& node, std::string_view factor) {
   for (const std::string_view key : {"ratio", "modes", "mode", "periods", "period"})
-    if (const auto found = node.knows(key) ? node.find(key) : std::nullopt)
+    if (const auto found = node.find_known(key))
       found->fail_at_key(fmt::format("{} and {} both set the damping; keep one of them", factor, key));
 }
 
@@ -84,11 +81,10 @@ Damping read_proportional(const Input& node, const Structure& s, To to, const st
 
 Damping read_modal(const Input& node, const Structure& s, const std::optional<DampedStiffness>& of) {
   node.only_keys();
-  const auto ratio = node.find("ratio"), ratios = node.find("ratios"), others = node.find("others");
-  if (ratio && ratios) ratios->fail_at_key("ratio and ratios both set the damping; keep one of them");
-  if (!ratios) {
+  const auto ratios = node.find("ratios"), others = node.find("others");
+  if (node.chosen() == "ratio") {
     if (others) others->fail_at_key("applies to the modes beyond the list ratios; type ratios: [5 %, 2 %]");
-    return Damping(ModalDamping{node.at("ratio").as_quantity()}, of);
+    return Damping(ModalDamping{node.quantity("ratio")}, of);
   }
   ModalDamping modal;
   for (const Input& item : ratios->items()) modal.ratios.push_back(item.as_quantity());
@@ -109,13 +105,7 @@ Damping read_modal(const Input& node, const Structure& s, const std::optional<Da
 Damping read_damping(const Input& node, const Structure& s) {
   if (!node.is_map()) return node.as_quantity();
   node.only_keys();
-  std::vector<std::string_view> given;
-  for (const std::string_view each : damping_models)
-    if (node.has(each)) given.push_back(each);
-  if (given.size() != 1)
-    node.fail(fmt::format("takes one of {}; type damping: {{rayleigh: {{ratio: 5 %, modes: [1, 2]}}}}",
-                          fmt::join(damping_models, ", ")));
-  const std::string_view model = given.front();
+  const std::string model = node.chosen();
   const auto of = read_damped_stiffness(node, s);
   const Input chosen = node.at(model);
   const bool by_mass = model == "mass_proportional" ||

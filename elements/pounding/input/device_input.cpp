@@ -14,12 +14,10 @@ namespace {
 
 std::variant<Bar, BarSection> read_bar(const Input& node) {
   node.only_keys();
-  const auto stiffness = node.find("stiffness"), young = node.find("E"), area = node.find("area");
-  if (stiffness && (young || area))
-    (young ? young : area)->fail_at_key("and stiffness both define the stiffness; keep one of the two");
-  if (stiffness) return Bar{stiffness->as_quantity()};
-  if (!young && !area) node.fail("the stiffness is missing; type stiffness: 50 MN/m, or E: 210 GPa and area: 20 cm^2");
-  return BarSection{node.at("E").as_quantity(), node.at("area").as_quantity()};
+  if (node.chosen() == "E") return BarSection{node.quantity("E"), node.at("area").as_quantity()};
+  if (const auto area = node.find("area"))
+    area->fail_at_key("and stiffness both define the stiffness; keep one of the two");
+  return Bar{node.quantity("stiffness")};
 }
 
 Damper read_damper(const Input& node) {

@@ -17,109 +17,22 @@
 #include <pounding/ground/displacement_motion.hpp>
 #include <pounding/ground/record.hpp>
 #include <pounding/ground/synthetic.hpp>
+#include <pounding/input/fail_at.hpp>
 #include <pounding/input/keys/sections.hpp>
 
 namespace pounding {
 namespace {
 
-constexpr std::array<std::string_view, 6> motion_kinds = {"record", "harmonic",  "sum",
-                                                          "pulse",  "synthetic", "displacement"};
+/// Keys next to a motion that only some kinds of motions allow.
+struct Beside {
+  std::string_view key, kinds;
+};
+constexpr Beside keys_beside[] = {{"channel", "record"},       {"units", "record"}, {"step", "record"},
+                                  {"scale", "record"},         {"pga", "record"},   {"duration", "sum"},
+                                  {"start", "record or sum"}, {"initial_velocity", "record or sum"}};
 
-/// Quantity by which a motion is given.
-enum class Given { acceleration, displacement };
-
-GroundMotion read_record_motion(const Input& section, std::initializer_list<std::string_view> beside, Given given) {
-  std::vector<std::string_view> allowed{"record", "channel", "units", "step", "scale", "initial_velocity"};
-  if (given == Given::acceleration) allowed.push_back("pga");
-  allowed.insert(allowed.end(), beside);
-  section.only_keys(allowed);
-  const Input file = section.at("record");
-  const auto channel = section.find("channel");
-  const auto units = section.find("units");
-  const auto scale = section.find("scale");
-  const auto pga = given == Given::acceleration ? section.find("pga") : std::nullopt;
-  if (scale && pga) pga->fail_at_key("\"scale\" and \"pga\" both set the intensity; keep one of them");
-
-  double factor = 1;
-  if (scale) {
-    factor = scale->as_quantity();
-    if (factor == 0) scale->fail("takes a number other than 0; for no ground motion leave \"ground_motion\" out");
-  }
-  const double velocity = section.quantity("initial_velocity");
-  RecordOptions options;
-  if (units) options.units = units->as_text();
-  if (channel) options.channel = channel->as_text();
-  options.step = section.find_quantity("step").value_or(0);
-  options.displacement = given == Given::displacement;
-  options.initial_velocity = velocity / factor;
-  const Record record = [&] {
-    try {
-      return read_named_record(file, options);
-    } catch (const InputError& error) {
-      file.fail(error.what());
-    }
-  }();
-  if (pga) {
-    if (record.measures.pga == 0) pga->fail("all values of the record are zero, so it cannot be scaled to a peak");
-    factor = pga->as_quantity() / record.measures.pga;
-  }
-  const GroundMotion motion = scaled(record, factor);
-  return given == Given::displacement || velocity == 0 ? motion : motion.with_initial_motion(velocity);
-}
-
-GroundMotion read_harmonic(const Input& node, Given given) {
-  node.only_keys();
-  const Harmonic harmonic{.amplitude = node.quantity("amplitude"),
-                          .period = node.quantity("period"),
-                          .duration = node.quantity("duration"),
-                          .phase = read_phase(node)};
-  if (given == Given::displacement) return motion_of_displacement(harmonic);
-  return GroundMotion(harmonic).with_initial_motion(node.quantity("initial_velocity"));
-}
-
-/// Reads `sum` with its `duration`.
-GroundMotion read_sum(const Input& section, std::initializer_list<std::string_view> beside, Given given) {
-  std::vector<std::string_view> allowed{"sum", "duration"};
-  if (given == Given::acceleration) allowed.push_back("initial_velocity");
-  allowed.insert(allowed.end(), beside);
-  section.only_keys(allowed);
-  const Input list = section.at("sum");
-  HarmonicSum sum{.parts = {}, .duration = section.quantity("duration")};
-  for (const Input& part : list.items()) {
-    part.only_keys();
-    sum.parts.push_back(
-        {.amplitude = part.quantity("amplitude"), .period = part.quantity("period"), .phase = read_phase(part)});
-  }
-  if (sum.parts.empty()) list.fail("takes at least one harmonic; type sum: [{amplitude: 0.2 g, period: 0.5 s}]");
-  if (given == Given::displacement) return motion_of_displacement(sum);
-  return GroundMotion(sum).with_initial_motion(section.quantity("initial_velocity"));
-}
-
-GroundMotion read_displacement(const Input& node) {
-  std::optional<std::string_view> kind;
-  for (const std::string_view candidate : {"record", "harmonic", "sum"}) {
-    const auto found = node.find(candidate);
-    if (!found) continue;
-    if (kind) found->fail_at_key(fmt::format("\"{}\" and \"{}\" are both given; keep one of them", *kind, candidate));
-    kind = candidate;
-  }
-  if (kind == "record") return read_record_motion(node, {}, Given::displacement);
-  if (kind == "sum") return read_sum(node, {}, Given::displacement);
-  node.only_keys({"record", "harmonic", "sum"});
-  if (!kind)
-    node.fail(
-        "takes one of record, harmonic, sum; type displacement: {harmonic: {amplitude: 20 mm, period: 1 s, duration: "
-        "10 s}}");
-  return read_harmonic(node.at("harmonic"), Given::displacement);
-}
-
-GroundMotion read_pulse(const Input& node) {
-  node.only_keys();
-  return GroundMotion(Pulse{.shape = read_shape(node),
-                            .amplitude = node.quantity("amplitude"),
-                            .duration = node.quantity("duration"),
-                            .start = node.quantity("start")});
-}
+/// Value of a key; 0 if the section does not have it.
+double quantity_or_zero(const Input& node, std::string_view key) { return node.knows(key) ? node.quantity(key) : 0; }
 
 /// Reads an angular frequency. Hz and rad/s are the same SI unit, so a value in Hz is rejected.
 double read_omega(const Input& node, std::string_view key) {
@@ -155,69 +68,8 @@ GroundMotion read_synthetic(const Input& node) {
   options.step = node.quantity("step");
   options.rise = node.quantity("rise");
   options.strong_until = node.quantity("strong_until");
-  try {
-    return synthetic_motion(options);
-  } catch (const std::invalid_argument& error) {
-    node.fail(error.what());
-  }
+  return placed(node, [&] { return synthetic_motion(options); });
 }
-
-// Also allows other keys, which do not describe the motion.
-GroundMotion read_motion(const Input& section, std::initializer_list<std::string_view> beside) {
-  std::vector<std::string_view> allowed(motion_kinds.begin(), motion_kinds.end());
-  allowed.insert(allowed.end(), beside);
-  std::optional<std::string_view> kind;
-  for (const std::string_view candidate : motion_kinds) {
-    const auto found = section.find(candidate);
-    if (!found) continue;
-    if (kind) found->fail_at_key(fmt::format("\"{}\" and \"{}\" are both given; keep one of them", *kind, candidate));
-    kind = candidate;
-  }
-  if (kind == "record") return read_record_motion(section, beside, Given::acceleration);
-  if (kind == "sum") return read_sum(section, beside, Given::acceleration);
-  if (!kind) {
-    section.only_keys(allowed);
-    section.fail(
-        "takes one of record, harmonic, sum, pulse, synthetic, displacement; for no ground motion leave "
-        "\"ground_motion\" out");
-  }
-  for (const std::string_view key : {"channel", "step"})
-    if (const auto found = section.find(key)) found->fail_at_key("belongs to a record");
-  if (const auto duration = section.find("duration"))
-    duration->fail_at_key(fmt::format("belongs to a sum; type {}: {{..., duration: {}}}", *kind,
-                                      duration->is_scalar() ? excerpt(duration->as_text()) : "10 s"));
-  if (const auto velocity = section.find("initial_velocity"))
-    velocity->fail_at_key("belongs to a record, a harmonic (inside it) or a sum");
-  for (const std::string_view key : {"units", "scale", "pga"})
-    if (const auto found = section.find(key))
-      found->fail_at_key(fmt::format("belongs to a record; the values of a {} are absolute", *kind));
-  section.only_keys(allowed);
-  const Input node = section.at(*kind);
-  if (kind == "harmonic") return read_harmonic(node, Given::acceleration);
-  if (kind == "displacement") return read_displacement(node);
-  if (kind == "pulse") return read_pulse(node);
-  return read_synthetic(node);
-}
-
-TravellingWave read_wave(const Input& node) {
-  node.only_keys();
-  TravellingWave wave;
-  wave.velocity = node.quantity("velocity");
-  const std::optional<Input> direction = node.find("direction");
-  if (!direction) return wave;
-  if (!direction->is_list()) {
-    if (direction->as_choice() == "y") wave.direction = Eigen::Vector3d::UnitY();
-    return wave;
-  }
-  const std::vector<Input> parts = direction->items();
-  if (parts.size() != 2) direction->fail("takes x, y, or two numbers; type direction: [0.6, 0.8]");
-  wave.direction = Eigen::Vector3d(parts[0].as_quantity(), parts[1].as_quantity(), 0);
-  if (!(wave.direction.norm() > 0)) direction->fail("the vector is zero; type direction: [0.6, 0.8]");
-  wave.direction.normalize();
-  return wave;
-}
-
-}  // namespace
 
 // A number without a unit above a full cycle is rejected, since it is probably in degrees.
 double read_phase(const Input& harmonic) {
@@ -244,7 +96,145 @@ Record read_named_record(const Input& file, const RecordOptions& options) {
   return read_record(find_record(file.as_text(), file.directory()), options);
 }
 
-GroundMotion read_ground_motion(const Input& section) { return read_motion(section.in(keys::motion), {}); }
+/// Period of a harmonic; forces may have a frequency instead.
+double read_period(const Input& node) {
+  if (!node.knows("frequency") || node.chosen() == "period") return node.quantity("period");
+  const Input frequency = node.at("frequency");
+  if (frequency.as_text().find("rad") != std::string::npos)
+    frequency.fail(
+        fmt::format("takes a frequency in Hz such as \"2.5 Hz\"; \"{}\" is an angular frequency, divide it by 2 pi",
+                    frequency.as_text()));
+  return 1 / frequency.as_quantity();
+}
+
+/// Reads a motion with values of this dimension.
+class MotionReader {
+ public:
+  MotionReader(const Input& section, const Dimension& values) : section_(section), values_(values) {}
+
+  GroundMotion read() const {
+    const std::string kind = section_.chosen();
+    for (const auto& [key, kinds] : keys_beside)
+      if (const auto found = section_.find_known(key); found && kinds.find(kind) == std::string_view::npos)
+        refuse_beside(*found, kinds, kind);
+    section_.only_keys();
+    if (kind == "record") return read_file();
+    if (kind == "sum") return read_sum();
+    const Input node = section_.at(kind);
+    if (kind == "displacement") return MotionReader(node, dimension::length).read();
+    node.only_keys();
+    if (kind == "harmonic")
+      return made(Harmonic{.amplitude = amplitude(node),
+                           .period = read_period(node),
+                           .duration = node.quantity("duration"),
+                           .start = quantity_or_zero(node, "start"),
+                           .phase = read_phase(node)},
+                  node);
+    if (kind == "pulse")
+      return GroundMotion(Pulse{.shape = read_shape(node),
+                                .amplitude = amplitude(node),
+                                .duration = node.quantity("duration"),
+                                .start = node.quantity("start")},
+                          values_);
+    if (kind == "synthetic") return read_synthetic(node);
+    return GroundMotion(
+        Step{.amplitude = amplitude(node), .start = node.quantity("start"), .rise = node.quantity("rise")}, values_);
+  }
+
+ private:
+  [[noreturn]] void refuse_beside(const Input& found, std::string_view kinds, const std::string& kind) const {
+    const Input node = section_.at(kind);
+    const bool is_inside = node.is_map() && node.knows(found.key());
+    found.fail_at_key(fmt::format(
+        "belongs to a {}{}", kinds,
+        is_inside ? fmt::format("; type {}: {{..., {}: {}}}", kind, found.key(), excerpt(found.as_text())) : ""));
+  }
+
+  double amplitude(const Input& node) const { return node.at("amplitude").as_quantity(values_); }
+
+  template <class Closed>
+  GroundMotion made(const Closed& motion, const Input& node) const {
+    if (values_ == dimension::length) return motion_of_displacement(motion);
+    const GroundMotion found(motion, values_);
+    return node.knows("initial_velocity") ? found.with_initial_motion(node.quantity("initial_velocity")) : found;
+  }
+
+  GroundMotion read_sum() const {
+    HarmonicSum sum{
+        .parts = {}, .duration = section_.quantity("duration"), .start = quantity_or_zero(section_, "start")};
+    const Input list = section_.at("sum");
+    for (const Input& part : list.items()) {
+      part.only_keys();
+      sum.parts.push_back({.amplitude = amplitude(part), .period = read_period(part), .phase = read_phase(part)});
+    }
+    if (sum.parts.empty())
+      list.fail(fmt::format("takes at least one harmonic; type sum: [{{amplitude: {}, period: 0.5 s}}]",
+                            quantity_example(values_)));
+    return made(sum, section_);
+  }
+
+  GroundMotion read_file() const {
+    const Input file = section_.at("record");
+    const auto units = section_.find("units"), channel = section_.find("channel"), scale = section_.find("scale"),
+               pga = section_.find_known("pga");
+    if (scale && pga) pga->fail_at_key("\"scale\" and \"pga\" both set the intensity; keep one of them");
+    double factor = scale ? scale->as_quantity() : 1;
+    if (factor == 0) scale->fail("takes a number other than 0; to omit the motion or force, remove it");
+    const double velocity = quantity_or_zero(section_, "initial_velocity");
+    RecordOptions options;
+    if (units) options.units = units->as_text();
+    if (channel) options.channel = channel->as_text();
+    options.step = section_.find_quantity("step").value_or(0);
+    options.displacement = values_ == dimension::length;
+    options.initial_velocity = velocity / factor;
+    if (section_.knows("start")) options.force = values_;
+    const Record record = [&] {
+      try {
+        return read_named_record(file, options);
+      } catch (const InputError& error) {
+        file.fail(error.what());
+      }
+    }();
+    if (pga) {
+      if (record.measures.pga == 0) pga->fail("all values of the record are zero, so it cannot be scaled to a peak");
+      factor = pga->as_quantity() / record.measures.pga;
+    }
+    const GroundMotion motion = scaled(record, factor);
+    if (options.force) return motion.delayed(section_.quantity("start"));
+    return options.displacement || velocity == 0 ? motion : motion.with_initial_motion(velocity);
+  }
+
+  const Input& section_;
+  Dimension values_;
+};
+
+TravellingWave read_wave(const Input& node) {
+  node.only_keys();
+  TravellingWave wave;
+  wave.velocity = node.quantity("velocity");
+  const std::optional<Input> direction = node.find("direction");
+  if (!direction) return wave;
+  if (!direction->is_list()) {
+    if (direction->as_choice() == "y") wave.direction = Eigen::Vector3d::UnitY();
+    return wave;
+  }
+  const std::vector<Input> parts = direction->items();
+  if (parts.size() != 2) direction->fail("takes x, y, or two numbers; type direction: [0.6, 0.8]");
+  wave.direction = Eigen::Vector3d(parts[0].as_quantity(), parts[1].as_quantity(), 0);
+  if (!(wave.direction.norm() > 0)) direction->fail("the vector is zero; type direction: [0.6, 0.8]");
+  wave.direction.normalize();
+  return wave;
+}
+
+}  // namespace
+
+GroundMotion read_motion(const Input& section, const Dimension& values) {
+  return MotionReader(section, values).read();
+}
+
+GroundMotion read_ground_motion(const Input& section) {
+  return read_motion(section.in(keys::motion), dimension::acceleration);
+}
 
 GroundSection read_ground_section(const Input& node) {
   const Input section = node.in(keys::ground_motion);
@@ -252,7 +242,7 @@ GroundSection read_ground_section(const Input& node) {
   if (const auto wave = section.find("wave")) ground.wave = read_wave(*wave);
   const std::optional<Input> components = section.find("components");
   if (!components) {
-    ground.components[0] = read_motion(section, {"wave"});
+    ground.components[0] = read_motion(section, dimension::acceleration);
     return ground;
   }
   section.only_keys({"components", "wave"});

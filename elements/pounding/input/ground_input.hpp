@@ -21,14 +21,9 @@ namespace pounding {
 /// environment variable POUNDING_RECORDS. Throws InputError with the location.
 GroundMotion read_ground_motion(const Input& section);
 
-/// The record file that a scalar names, from the files in memory if present, else from disk. Throws InputError.
-Record read_named_record(const Input& file, const RecordOptions& options);
-
-/// `phase` of a harmonic [rad]; 0 if not given.
-double read_phase(const Input& harmonic);
-
-/// `shape` of a pulse.
-Pulse::Shape read_shape(const Input& pulse);
+/// Reads a motion whose values have this dimension: accelerations, displacements, forces or moments. The section
+/// contains exactly one kind of motion. Throws InputError with the location.
+GroundMotion read_motion(const Input& section, const Dimension& values);
 
 /// Reads a motion along x, or `components: {x: ..., y: ..., z: ...}` with one such section each, and optionally
 ///

@@ -226,6 +226,30 @@ void Input::only_keys(std::span<const std::string_view> allowed) const {
   }
 }
 
+std::string Input::chosen() const {
+  std::vector<const keys::Key*> group;
+  std::string given;
+  for (const keys::Key& each : section_->keys) {
+    if (each.need != keys::Need::exactly_one) continue;
+    group.push_back(&each);
+    const auto found = find(each.key);
+    if (found && !given.empty())
+      found->fail_at_key(fmt::format("\"{}\" and \"{}\" are both given; keep one of them", given, each.key));
+    if (found) given = each.key;
+  }
+  if (!given.empty()) return given;
+  only_keys();
+  const auto typed = [](std::string_view key, std::string_view example) { return fmt::format("{}: {}", key, example); };
+  std::vector<std::string_view> names;
+  for (const keys::Key* each : group) names.push_back(each->key);
+  const std::string first = typed(group[0]->key, group[0]->example);
+  if (group.size() == 2)
+    fail(fmt::format("{} is missing; type {}, or {}", fmt::join(names, " or "), first,
+                     typed(group[1]->key, group[1]->example)));
+  const bool is_map = spec_ && part_ == Part::value && spec_->example.starts_with('{');
+  fail(fmt::format("takes one of {}; type {}", fmt::join(names, ", "), is_map ? typed(key_, spec_->example) : first));
+}
+
 std::vector<std::pair<std::string, Input>> Input::entries() const {
   expect_map();
   std::vector<std::pair<std::string, Input>> children;

@@ -86,6 +86,8 @@ class Input {
   /// The child with this key; `nullopt` if there is none.
   std::optional<Input> find(std::string_view key) const;
   bool has(std::string_view key) const { return find(key).has_value(); }
+  /// Like find() for a key that only some sections have; `nullopt` also if this one does not.
+  std::optional<Input> find_known(std::string_view key) const { return knows(key) ? find(key) : std::nullopt; }
   /// The child with this key. Throws if there is none: at a key that is not in the section, if there is one; else the
   /// message contains `example`, by default the example of the key: type "gap: 20 mm".
   Input at(std::string_view key, std::string_view example = {}) const;
@@ -96,6 +98,8 @@ class Input {
   void only_keys(std::initializer_list<std::string_view> allowed) const {
     only_keys(std::span(allowed.begin(), allowed.size()));
   }
+  /// The one key that is given, of those of which the section allows exactly one. Throws if there is none or a second.
+  std::string chosen() const;
   /// Children of a map, in the order of the file.
   std::vector<std::pair<std::string, Input>> entries() const;
   /// Items of a list.

@@ -10,20 +10,13 @@
 #include <fmt/format.h>
 
 #include <pounding/core/error.hpp>
+#include <pounding/input/fail_at.hpp>
 #include <pounding/input/keys/sections.hpp>
 #include <pounding/input/stiffness_input.hpp>
 #include <pounding/laws/compiled.hpp>
 
 namespace pounding {
 namespace {
-
-const laws::Entry& entry_of(const Input& law) {
-  try {
-    return laws::find_law(law.as_text());
-  } catch (const std::invalid_argument& error) {
-    law.fail(error.what());
-  }
-}
 
 // The law decides whether zero is allowed.
 double read_restitution(const Input& node, const laws::Entry& entry) {
@@ -45,7 +38,8 @@ LawInput read_law(const Input& node) {
   laws::Settings& settings = read.settings;
   const Input law_node = node.at("law");
   settings.law = law_node.as_text();
-  const laws::Entry& entry = entry_of(law_node);
+  const laws::Entry& entry =
+      placed(law_node, [&]() -> const laws::Entry& { return laws::find_law(settings.law); });
   const Input link = node.in(keys::link_with(entry));
   link.only_keys();
 

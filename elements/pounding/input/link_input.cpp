@@ -25,22 +25,17 @@ namespace pounding {
 namespace {
 
 int structure_named(const std::string& name, const Input& node, const Model& model) {
+  const auto found = std::ranges::find(model.structures, name, &Structure::name);
+  if (found != model.structures.end()) return static_cast<int>(found - model.structures.begin());
   std::vector<std::string_view> names;
   for (const Structure& s : model.structures) names.push_back(s.name);
-  const auto found = std::find(names.begin(), names.end(), name);
-  if (found == names.end())
-    node.fail(fmt::format("unknown structure \"{}\".{}", excerpt(name), suggestion(name, names)));
-  return static_cast<int>(found - names.begin());
+  node.fail(fmt::format("unknown structure \"{}\".{}", excerpt(name), suggestion(name, names)));
 }
 
 int read_floor(const std::string& number_text, const std::string& text, const Input& node, const Structure& s) {
   double number = 0;
   const bool is_whole = parse_number(number_text, number) && number == std::floor(number) && std::abs(number) < 1e9;
-  try {
-    require_floor(s, is_whole ? static_cast<int>(number) : 0, text);
-  } catch (const std::invalid_argument& error) {
-    node.fail(error.what());
-  }
+  placed(node, [&] { require_floor(s, is_whole ? static_cast<int>(number) : 0, text); });
   return static_cast<int>(number);
 }
 

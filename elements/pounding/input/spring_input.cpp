@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include <pounding/hysteresis/all.hpp>
+#include <pounding/input/fail_at.hpp>
 #include <pounding/structures/make_spring.hpp>
 
 namespace pounding {
@@ -17,19 +18,13 @@ namespace {
 const hysteresis::Entry& law_of(const Input& spring) {
   if (spring.is_scalar()) {
     const std::string name = spring.as_text();
-    try {
-      hysteresis::find_law(name);
-    } catch (const std::invalid_argument& error) {
-      spring.fail(error.what());
-    }
+    placed(spring, [&] { hysteresis::find_law(name); });
     if (!spring.knows(name))
       spring.fail(fmt::format("{} is not available for storeys; see `pounding words spring`", name));
     spring.fail(fmt::format("the parameters of the law are missing; type spring: {{{}: {{yield_force: 2 MN}}}}", name));
   }
   spring.only_keys();
-  const hysteresis::Entry* chosen = law_among_keys(spring, "a storey");
-  if (!chosen) spring.fail("the law is missing; type spring: {bouc_wen: {yield_force: 2 MN}}");
-  return *chosen;
+  return hysteresis::find_law(spring.chosen());
 }
 
 }  // namespace
@@ -37,7 +32,7 @@ const hysteresis::Entry& law_of(const Input& spring) {
 const hysteresis::Entry* law_among_keys(const Input& map, const char* what) {
   const hysteresis::Entry* chosen = nullptr;
   for (const hysteresis::Entry& entry : hysteresis::catalogue())
-    if (const auto found = map.knows(entry.name) ? map.find(entry.name) : std::nullopt) {
+    if (const auto found = map.find_known(entry.name)) {
       if (chosen)
         found->fail_at_key(
             fmt::format("{} has one law, and {} is also given; keep one of the two", what, chosen->name));

@@ -50,14 +50,12 @@ void read_yielding(const Input& body, Structure& s) {
 Structure read_oscillator(const Input& body) {
   body.only_keys();
   OscillatorOptions options{.mass = body.quantity("mass")};
-  const std::optional<Input> period = body.find("period"), stiffness = body.find("stiffness");
-  if (period && stiffness) stiffness->fail_at_key("give the period or the stiffness, not both");
-  if (!period && !stiffness) body.fail("the stiffness is missing; type period: 0.8 s, or stiffness: 6.2 MN/m");
-  if (stiffness) options.stiffness = stiffness->as_quantity();
-  if (period) options.period = period->as_quantity();
-  if (const double k = period ? stiffness_of_period(options.mass, *options.period) : 1; !(std::isfinite(k) && k > 0))
-    period->fail(fmt::format("is so {} that the stiffness m (2 pi/T)^2 is {}", k > 0 ? "short" : "long",
-                             k > 0 ? "no number" : "zero"));
+  const std::string given = body.chosen();
+  (given == "period" ? options.period : options.stiffness) = body.quantity(given);
+  if (const double k = options.period ? stiffness_of_period(options.mass, *options.period) : 1;
+      !(std::isfinite(k) && k > 0))
+    body.at("period").fail(fmt::format("is so {} that the stiffness m (2 pi/T)^2 is {}", k > 0 ? "short" : "long",
+                                       k > 0 ? "no number" : "zero"));
   Structure s = make_oscillator(options);
   read_yielding(body, s);
   return s;
@@ -118,26 +116,14 @@ constexpr Kind structure_kinds[] = {{"body", read_body},
                                     {"wall", read_wall}};
 
 const Kind& kind_of(const Input& location) {
-  std::vector<std::string_view> keys;
-  for (const Kind& kind : structure_kinds) keys.push_back(kind.key);
   if (location.is_scalar() && location.as_text() == "wall") location.fail("a wall is written as {wall: {}}");
   location.only_keys();
-  const Kind* chosen = nullptr;
-  for (const Kind& kind : structure_kinds) {
-    if (!location.has(kind.key)) continue;
-    if (chosen)
-      location.find(kind.key)->fail_at_key(
-          fmt::format("a structure has one kind, and {} is also given; keep one of the two", chosen->key));
-    chosen = &kind;
-  }
-  if (!chosen)
-    location.fail(fmt::format("the kind of the structure is missing; give one of {}", fmt::join(keys, ", ")));
-  return *chosen;
+  return *std::ranges::find(structure_kinds, location.chosen(), &Kind::key);
 }
 
 // A key is allowed inside the kind or at the level of the structure, but not at both.
 std::optional<Input> beside_or_inside(const Input& location, const Input& body, std::string_view key) {
-  const std::optional<Input> inside = body.is_map() && body.knows(key) ? body.find(key) : std::nullopt;
+  const std::optional<Input> inside = body.is_map() ? body.find_known(key) : std::nullopt;
   const std::optional<Input> beside = location.find(key);
   if (inside && beside) beside->fail_at_key(fmt::format("\"{}\" is given twice; keep one of the two", key));
   return inside ? inside : beside;
@@ -170,10 +156,14 @@ class StructureInput {
   StructureInput(const std::string& name, const Input& location) : name_(name), location_(location) {}
 
   void read(Model& model) {
-    check_name();
+    try {
+      require_structure_name(name_);
+    } catch (const ModelError& error) {
+      location_.fail_at_key(error.what());
+    }
     const Kind& kind = kind_of(location_);
     body_.emplace(*location_.find(kind.key));
-    Structure s = made(kind);
+    Structure s = placed(*body_, [&] { return kind.read(*body_); });
     StructureOptions options;
     damping_ = beside_or_inside(location_, *body_, "damping");
     velocity_ = beside_or_inside(location_, *body_, "initial_velocity");
@@ -202,28 +192,11 @@ class StructureInput {
         fail(error);
       }
     }();
-    if (const auto devices = body_->is_map() && body_->knows("devices") ? body_->find("devices") : std::nullopt)
+    if (const auto devices = body_->is_map() ? body_->find_known("devices") : std::nullopt)
       for (const auto& [device, node] : devices->entries()) read_own_device(device, node, handle, model);
   }
 
  private:
-  // Adds the location to errors of the factory functions.
-  Structure made(const Kind& kind) const {
-    try {
-      return kind.read(*body_);
-    } catch (const std::invalid_argument& error) {
-      body_->fail(error.what());
-    }
-  }
-
-  void check_name() const {
-    try {
-      require_structure_name(name_);
-    } catch (const ModelError& error) {
-      location_.fail_at_key(error.what());
-    }
-  }
-
   [[noreturn]] void fail(const ModelError& error) const {
     const Input* at = &*body_;
     switch (error.option()) {

@@ -75,10 +75,8 @@ class FrameReader {
 
   void read_spring(const Input& node) {
     node.only_keys();
+    const bool is_on_ground = node.chosen() == "node";
     const auto at = node.find("node"), between = node.find("between");
-    if (at && between) between->fail_at_key("a spring is at one node or between two; keep one of node and between");
-    if (!at && !between)
-      node.fail("the location is missing; type node: a for a spring to the ground, or between: [a, b]");
     const Dof dof = parts_.keys().dof(node.at("dof"));
     const auto stiffness = node.find("stiffness"), damping = node.find("damping");
     if (!stiffness && !damping) node.fail("stiffness and damping are missing; type stiffness: 1 MN/m");
@@ -91,7 +89,7 @@ class FrameReader {
     const double k = stiffness ? stiffness->as_quantity(of_spring(dof)) : 0;
     if (lifts && !(k > 0)) stiffness->fail("must be positive for a spring that acts in compression");
     const double c = damping ? damping->as_quantity(of_dashpot(dof)) : 0;
-    if (at) {
+    if (is_on_ground) {
       const int a = parts_.node_of(*at);
       return placed(node, [&] {
         if (lifts) {
@@ -117,9 +115,8 @@ class FrameReader {
     const int master = parts_.node_of(at);
     const std::vector<int> nodes = parts_.nodes_of(node.at("nodes"));
     const auto dofs = node.find("dofs"), rigid = node.find("rigid");
-    if (dofs && rigid) rigid->fail_at_key("a rigid tie constrains all degrees of freedom; keep one of dofs and rigid");
-    if (!dofs && !(rigid && rigid->as_bool()))
-      node.fail("the degrees of freedom are missing; type dofs: [ux], or rigid: true");
+    if (node.chosen() == "rigid" && !rigid->as_bool())
+      rigid->fail("leaves the degrees of freedom open; type rigid: true, or dofs: [ux]");
     for (const int each : nodes)
       placed(node, [&] {
         if (dofs)

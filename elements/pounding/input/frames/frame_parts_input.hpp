@@ -7,21 +7,12 @@
 #include <string_view>
 #include <vector>
 
+#include <pounding/input/fail_at.hpp>
 #include <pounding/input/frames/frame_input.hpp>
 #include <pounding/input/frames/frame_parser.hpp>
 #include <pounding/input/frames/section_input.hpp>
 
 namespace pounding {
-
-/// Returns the result of the call. Reports a std::invalid_argument at this location of the input.
-template <class Act>
-auto placed(const Input& location, Act&& act) {
-  try {
-    return act();
-  } catch (const std::invalid_argument& error) {
-    location.fail(error.what());
-  }
-}
 
 /// Reads `grid`, `nodes` and `members` into a frame and finds them by name. All functions throw InputError with the
 /// location.

@@ -13,48 +13,30 @@
 #include <pounding/core/names.hpp>
 #include <pounding/frames/profiles/profiles.hpp>
 #include <pounding/frames/sections.hpp>
+#include <pounding/input/fail_at.hpp>
 #include <pounding/input/frames/by_storey.hpp>
 
 namespace pounding {
 namespace {
 
-constexpr std::array<std::string_view, 5> shapes{"profile", "rectangle", "i_section", "tube", "circle"};
-constexpr std::array<std::string_view, 8> numbers{
-    "area",         "inertia_y",    "inertia_z",         "torsion",
-    "shear_area_y", "shear_area_z", "plastic_modulus_y", "plastic_modulus_z"};
-constexpr std::string_view section_example = "rectangle: [0.4 m, 0.6 m], or area: 0.16 m^2 with inertia_y: 2.1e-3 m^4";
-
-std::optional<Section> find_profile_at(const Input& node, const std::string& name) {
-  try {
-    return find_profile(name);
-  } catch (const std::invalid_argument& error) {
-    node.fail(error.what());
-  }
-}
+constexpr std::array<std::string_view, 7> numbers{"inertia_y",    "inertia_z",         "torsion",          "shear_area_y",
+                                                  "shear_area_z", "plastic_modulus_y", "plastic_modulus_z"};
 
 Section read_profile(const Input& node, const std::string& name) {
-  if (const auto found = find_profile_at(node, name)) return *found;
+  if (const auto found = placed(node, [&] { return find_profile(name); })) return *found;
   node.fail(fmt::format("unknown section \"{}\"; {}", excerpt(name), nearest_profiles(name)));
 }
 
 Section read_shape(const Input& node, std::string_view shape) {
   if (shape == "profile") return read_profile(node, node.as_text());
-  try {
-    if (shape == "circle") return circle_section(node.as_quantity());
-    if (shape == "rectangle") {
-      if (!node.is_list() || node.items().size() != 2)
-        node.fail("takes [width, depth]; type rectangle: [0.4 m, 0.6 m]");
-      return rectangle_section(node.items()[0].as_quantity(), node.items()[1].as_quantity());
-    }
-    if (shape == "tube") {
-      node.only_keys();
-      return tube_section(node.quantity("diameter"), node.quantity("thickness"));
-    }
-    node.only_keys();
-    return i_section(node.quantity("depth"), node.quantity("width"), node.quantity("flange"), node.quantity("web"));
-  } catch (const std::invalid_argument& error) {
-    node.fail(error.what());
+  if (shape == "circle") return circle_section(node.as_quantity());
+  if (shape == "rectangle") {
+    if (!node.is_list() || node.items().size() != 2) node.fail("takes [width, depth]; type rectangle: [0.4 m, 0.6 m]");
+    return rectangle_section(node.items()[0].as_quantity(), node.items()[1].as_quantity());
   }
+  node.only_keys();
+  if (shape == "tube") return tube_section(node.quantity("diameter"), node.quantity("thickness"));
+  return i_section(node.quantity("depth"), node.quantity("width"), node.quantity("flange"), node.quantity("web"));
 }
 
 Section read_numbers(const Input& node, int dimension) {
@@ -108,25 +90,19 @@ Material read_material(const Input& node) {
 Section read_section(const Input& node, int dimension) {
   node.only_keys();
 
-  std::optional<std::string_view> shape;
-  for (const std::string_view each : shapes) {
-    const auto found = node.find(each);
-    if (!found) continue;
-    if (shape)
-      found->fail_at_key(fmt::format("a section has one shape, and {} is also given; keep one of the two", *shape));
-    shape = each;
-  }
+  const std::string shape = node.chosen();
+  const bool has_shape = shape != "area";
   for (const std::string_view key : numbers)
-    if (const auto found = node.find(key); found && shape)
+    if (const auto found = node.find(key); found && has_shape)
       found->fail_at_key(
-          fmt::format("follows from the shape {}; leave it out, or give section properties only", *shape));
-  if (!shape && !node.has("area")) node.fail(fmt::format("the shape is missing; type {}", section_example));
-
-  Section section = shape ? read_shape(*node.find(*shape), *shape) : read_numbers(node, dimension);
+          fmt::format("follows from the shape {}; leave it out, or give section properties only", shape));
+  const Input given = node.at(shape);
+  Section section =
+      has_shape ? placed(given, [&] { return read_shape(given, shape); }) : read_numbers(node, dimension);
   if (const auto shear = node.find("shear")) {
     const bool wanted = shear->as_bool();
     const bool has = dimension == 2 ? node.has("shear_area_z") : node.has("shear_area_y") && node.has("shear_area_z");
-    if (wanted && !shape && !has)
+    if (wanted && !has_shape && !has)
       shear->fail(dimension == 2 ? "requires shear_area_z; type shear_area_z: 0.13 m^2"
                                  : "requires shear_area_y and shear_area_z; type shear_area_z: 0.13 m^2");
     if (!wanted) section = without_shear_deformation(section);
@@ -148,7 +124,7 @@ Section SectionLibrary::section(const Input& node) const {
   if (node.is_map()) return read_section(node, dimension_);
   const std::string name = node.as_text();
   if (const auto found = sections_.find(name); found != sections_.end()) return found->second;
-  if (sections_.empty() || find_profile_at(node, name)) return read_profile(node, name);
+  if (sections_.empty() || placed(node, [&] { return find_profile(name); })) return read_profile(node, name);
   const std::vector<std::string> known = names(sections_);
   const std::vector<std::string_view> views(known.begin(), known.end());
   const std::string unknown = unknown_name("section", name, known);
