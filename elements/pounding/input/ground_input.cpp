@@ -27,9 +27,9 @@ namespace {
 struct Beside {
   std::string_view key, kinds;
 };
-constexpr Beside keys_beside[] = {{"channel", "record"},       {"units", "record"}, {"step", "record"},
-                                  {"scale", "record"},         {"pga", "record"},   {"duration", "sum"},
-                                  {"start", "record or sum"}, {"initial_velocity", "record or sum"}};
+constexpr Beside keys_beside[] = {
+    {"channel", "record"}, {"units", "record"}, {"step", "record"},         {"scale", "record"},
+    {"pga", "record"},     {"duration", "sum"}, {"start", "record or sum"}, {"initial_velocity", "record or sum"}};
 
 /// Value of a key; 0 if the section does not have it.
 double quantity_or_zero(const Input& node, std::string_view key) { return node.knows(key) ? node.quantity(key) : 0; }
@@ -228,9 +228,7 @@ TravellingWave read_wave(const Input& node) {
 
 }  // namespace
 
-GroundMotion read_motion(const Input& section, const Dimension& values) {
-  return MotionReader(section, values).read();
-}
+GroundMotion read_motion(const Input& section, const Dimension& values) { return MotionReader(section, values).read(); }
 
 GroundMotion read_ground_motion(const Input& section) {
   return read_motion(section.in(keys::motion), dimension::acceleration);

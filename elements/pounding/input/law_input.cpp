@@ -38,8 +38,7 @@ LawInput read_law(const Input& node) {
   laws::Settings& settings = read.settings;
   const Input law_node = node.at("law");
   settings.law = law_node.as_text();
-  const laws::Entry& entry =
-      placed(law_node, [&]() -> const laws::Entry& { return laws::find_law(settings.law); });
+  const laws::Entry& entry = placed(law_node, [&]() -> const laws::Entry& { return laws::find_law(settings.law); });
   const Input link = node.in(keys::link_with(entry));
   link.only_keys();
 

@@ -8,19 +8,15 @@
 
 #include <pounding/model/ground_plan.hpp>
 #include <pounding/model/model.hpp>
+#include <pounding/model/place_ends.hpp>
 #include <pounding/model/start/start.hpp>
 #include <pounding/model/system.hpp>
+#include <pounding/structures/massless.hpp>
 
 namespace pounding {
 namespace {
 
 using Triplets = std::vector<Eigen::Triplet<double>>;
-
-void add_entries(Triplets& entries, const SparseMatrix& block, int first) {
-  for (int j = 0; j < block.outerSize(); ++j)
-    for (SparseMatrix::InnerIterator it(block, j); it; ++it)
-      if (it.value() != 0) entries.emplace_back(first + static_cast<int>(it.row()), first + j, it.value());
-}
 
 void add_row(Triplets& entries, const Row& row, double factor, int first, int column) {
   for (Row::InnerIterator it(row); it; ++it)
@@ -81,14 +77,6 @@ void add_ground_motion(Eigen::MatrixXd& by_ground, int link, double sign, const 
     };
     ground.project(influence, by_ground.row(link));
   }
-}
-
-double displacement_along(const LinkEnd& end, const Eigen::Vector3d& direction, const Eigen::VectorXd& unknowns) {
-  double sum = 0;
-  for (int i = 0; i < 3; ++i)
-    if (direction[i] != 0 && end.point.motion[i].nonZeros() > 0)
-      sum += direction[i] * end.point.motion[i].dot(unknowns);
-  return sum;
 }
 
 // Sliding directions in the plane of a contact, for structures of this dimension.
@@ -193,11 +181,9 @@ System assemble(const Model& model, const Assembly& assembly) {
   std::vector<Column> columns;
   const auto add_column = [&](const auto& link, const Eigen::Vector3d& direction, bool is_device = false) {
     const int column = static_cast<int>(columns.size());
-    for (int i = 0; i < 3; ++i) {
-      if (direction[i] == 0) continue;
-      add_row(closing, link.left.point.motion[i], direction[i], first[link.left.structure], column);
-      add_row(closing, link.right.point.motion[i], -direction[i], first[link.right.structure], column);
-    }
+    for (const auto& [end, sign] : {std::pair(&link.left, 1), std::pair(&link.right, -1)})
+      add_row(closing, motion_along(*end, direction, model.structures[end->structure].size()), sign,
+              first[end->structure], column);
     columns.push_back({.left = &link.left, .right = &link.right, .direction = direction, .is_device = is_device});
   };
   if (with_links)
@@ -272,14 +258,13 @@ System assemble(const Model& model, const Assembly& assembly) {
     for (const auto& [end, sign] : {std::pair(columns[c].left, 1.0), std::pair(columns[c].right, -1.0)}) {
       const Structure& s = model.structures[end->structure];
       add_ground_motion(by_ground, c, sign, *end, s, plan.supports[end->structure], columns[c].direction);
+      const Row row = motion_along(*end, columns[c].direction, s.size());
       if (columns[c].is_device) {
         // Preloads leave it undeformed, as does gravity.
-        if (with_links && s.preload_displacement.size() > 0)
-          at_rest[c] -= sign * displacement_along(*end, columns[c].direction, s.preload_displacement);
-        if (given_way[end->structure].size() > 0)
-          at_rest[c] -= sign * displacement_along(*end, columns[c].direction, given_way[end->structure]);
+        if (with_links && s.preload_displacement.size() > 0) at_rest[c] -= sign * row.dot(s.preload_displacement);
+        if (given_way[end->structure].size() > 0) at_rest[c] -= sign * row.dot(given_way[end->structure]);
       } else if (s.at_rest.size() > 0) {
-        for (int i = 0; i < 3; ++i) at_rest[c] += sign * columns[c].direction[i] * end->point.motion[i].dot(s.at_rest);
+        at_rest[c] += sign * row.dot(s.at_rest);
       }
     }
   }

@@ -32,15 +32,10 @@ std::string text_of(const PairEnd& end, const Structure& s) {
   return end.is_numbered && end.floor ? fmt::format("{}.{}", s.name, *end.floor + 1) : s.name;
 }
 
-double displacement_along(const LinkEnd& end, const Structure& s, const Eigen::Vector3d& direction) {
-  double sum = 0;
-  for (int i = 0; i < 3; ++i) {
-    const Row& row = end.point.motion[i];
-    if (row.nonZeros() == 0 || direction[i] == 0) continue;
-    sum += direction[i] * row.dot(s.initial_displacement);
-    if (s.at_rest.size() > 0) sum += direction[i] * row.dot(s.at_rest);
-  }
-  return sum;
+// Displacement along a direction at the start.
+double start_of(const LinkEnd& end, const Structure& s, const Eigen::Vector3d& direction) {
+  const Row row = motion_along(end, direction, s.size());
+  return row.dot(s.initial_displacement) + (s.at_rest.size() > 0 ? row.dot(s.at_rest) : 0);
 }
 
 double reduced_mass(double left, double right) {
@@ -74,13 +69,11 @@ void check_options(const LinkOptions& options, const ContactLaw& law, bool is_dr
   if (options.gap.empty() && !is_drawn) refuse(ModelOption::gap, "the gap is missing; give it, as in {.gap = 0.02}");
   if (options.points && (*options.points < 1 || *options.points > 100))
     refuse(ModelOption::points, fmt::format("takes an integer from 1 to 100; {} was given", *options.points));
-  if (options.reduced_mass && !(*options.reduced_mass > 0 && std::isfinite(*options.reduced_mass)))
-    refuse(ModelOption::reduced_mass, "reduced_mass must be positive and finite");
+  require_positive(ModelOption::reduced_mass, "reduced_mass", options.reduced_mass);
   if (options.reduced_mass && law.reduced_mass() > 0)
     refuse(ModelOption::reduced_mass,
            "the reduced mass is given twice, by the law and by the link; keep one of the two");
-  if (options.seat && !(*options.seat > 0 && std::isfinite(*options.seat)))
-    refuse(ModelOption::seat, "seat must be positive and finite");
+  require_positive(ModelOption::seat, "seat", options.seat);
   if (options.level_within && !options.floors && !is_drawn)
     refuse_idle(ModelOption::level_within, "applies only to floors: all, level or any, and to drawn ends; remove it");
   if (options.sliding_velocity && !options.friction)
@@ -128,17 +121,11 @@ double level_of_ends(const LinkEnd& left, const LinkEnd& right, const Structure&
 // Empty values if the drawing defines the gap.
 std::vector<std::optional<double>> gaps_of(const LinkOptions& options, int count) {
   if (options.gap.empty()) return std::vector<std::optional<double>>(count);
-  try {
-    const std::vector<double> gaps = options.gap.of_each(count, "gap");
-    for (const double gap : gaps)
-      if (!std::isfinite(gap) || (gap < 0 && !options.preload))
-        throw std::invalid_argument(gap < 0 && std::isfinite(gap)
-                                        ? "gap must be finite and not negative; it may be negative with preload: true"
-                                        : "gap must be finite and not negative");
-    return {gaps.begin(), gaps.end()};
-  } catch (const std::invalid_argument& error) {
-    refuse(ModelOption::gap, error.what());
-  }
+  const std::vector<double> gaps = checked(ModelOption::gap, [&] { return options.gap.of_each(count, "gap"); });
+  for (const double gap : gaps)
+    if (!std::isfinite(gap) || (gap < 0 && !options.preload))
+      refuse(ModelOption::gap, "gap must be finite and not negative; it may be negative with preload: true");
+  return {gaps.begin(), gaps.end()};
 }
 
 // Contact points that close together share the masses of their floors.
@@ -149,23 +136,20 @@ void set_law(Link& link, const LinkOptions& options, const ContactLaw& law, doub
   link.reduced_mass = options.reduced_mass     ? *options.reduced_mass
                       : law.reduced_mass() > 0 ? law.reduced_mass()
                                                : of_ends;
-  try {
-    ContactStiffness stiffness{.factor = factor};
-    if (options.stiffness) {
-      const CollidingMasses bodies{{left, right}, link.reduced_mass};
-      stiffness.estimate = [&, bodies](double exponent) {
-        return estimated_stiffness(*options.stiffness, bodies, exponent);
-      };
-      link.stiffness_from = describe(*options.stiffness, bodies);
-    }
-    ContactLaw::Made made = law.make(link.reduced_mass, link.gap, number, stiffness);
-    link.law = std::move(made.name);
-    link.formula = std::move(made.formula);
-    link.parameters = std::move(made.parameters);
-    link.contact = std::move(made.contact);
-  } catch (const std::invalid_argument& error) {
-    refuse(ModelOption::law, error.what());
+  ContactStiffness stiffness{.factor = factor};
+  if (options.stiffness) {
+    const CollidingMasses bodies{{left, right}, link.reduced_mass};
+    stiffness.estimate = [&, bodies](double exponent) {
+      return estimated_stiffness(*options.stiffness, bodies, exponent);
+    };
+    link.stiffness_from = describe(*options.stiffness, bodies);
   }
+  ContactLaw::Made made =
+      checked(ModelOption::law, [&] { return law.make(link.reduced_mass, link.gap, number, stiffness); });
+  link.law = std::move(made.name);
+  link.formula = std::move(made.formula);
+  link.parameters = std::move(made.parameters);
+  link.contact = std::move(made.contact);
 }
 
 void set_friction(Link& link, const LinkOptions& options, const Structure& a, const Structure& b) {
@@ -174,13 +158,10 @@ void set_friction(Link& link, const LinkOptions& options, const Structure& a, co
   link.sliding_velocity = options.sliding_velocity.value_or(usual_sliding);
   if (!(link.friction >= 0) || std::isinf(link.friction))
     refuse(ModelOption::friction, "friction must be finite and not negative");
-  if (!(link.sliding_velocity > 0) || std::isinf(link.sliding_velocity))
-    refuse(ModelOption::sliding_velocity, "sliding_velocity must be positive and finite");
+  require_positive(ModelOption::sliding_velocity, "sliding_velocity", link.sliding_velocity);
   const auto take = [](double& value, std::optional<double> given, const char* name) {
-    if (!given) return;
-    if (!(*given > 0 && std::isfinite(*given)))
-      refuse(ModelOption::friction, fmt::format("{} must be positive and finite; {:g} was given", name, *given));
-    value = *given;
+    require_positive(ModelOption::friction, name, given);
+    value = given.value_or(0);
   };
   take(link.tangential_stiffness, options.tangential_stiffness, "tangential_stiffness");
   take(link.tangential_ratio, options.tangential_ratio, "tangential_ratio");
@@ -212,8 +193,7 @@ void require_closing_speed(const Link& link, double overlap, const Structure& a,
 }
 
 void refuse_overlap(const Link& link, const Structure& a, const Structure& b) {
-  const double overlap =
-      displacement_along(link.left, a, link.direction) - displacement_along(link.right, b, link.direction) - link.gap;
+  const double overlap = start_of(link.left, a, link.direction) - start_of(link.right, b, link.direction) - link.gap;
   require_closing_speed(link, overlap, a, b);
   if (!(overlap > 0)) return;
   // Two equal frames at a gap of zero lean by the same displacement, up to round-off.

@@ -163,11 +163,7 @@ void require_structure(const Model& model, int number, ModelOption side) {
 PairEnd end_of(const ContactLocation& location, const Structure& s, ModelOption side) {
   PairEnd end{.structure = location.structure, .elevation = location.elevation, .node = location.node};
   if (!location.floor) return end;
-  try {
-    require_floor(s, *location.floor, fmt::format("{}.{}", s.name, *location.floor));
-  } catch (const std::invalid_argument& error) {
-    refuse(side, error.what());
-  }
+  checked(side, [&] { require_floor(s, *location.floor, fmt::format("{}.{}", s.name, *location.floor)); });
   end.floor = *location.floor - 1;
   end.is_numbered = true;
   return end;

@@ -16,6 +16,7 @@
 #include <pounding/model/ground_plan.hpp>
 #include <pounding/model/place_ends.hpp>
 #include <pounding/model/reducible.hpp>
+#include <pounding/model/refuse_option.hpp>
 #include <pounding/model/start/start.hpp>
 #include <pounding/model/warning_names.hpp>
 #include <pounding/structures/storey_heights.hpp>
@@ -36,24 +37,15 @@ void require_free_name(const std::string& name, const std::vector<Structure>& ot
 void damp(Structure& s, const std::optional<Damping>& damping, const ModeSolver& modes) {
   const bool is_damped = !s.damping_note.empty();
   if (s.is_rigid() || s.is_free) {
-    if (damping)
-      throw ModelError(ModelOption::damping, fmt::format("a {} has no damping; remove it", s.kind)).as_idle();
+    if (damping) refuse_idle(ModelOption::damping, fmt::format("a {} has no damping; remove it", s.kind));
     return;
   }
   if (!damping && !is_damped)
-    throw ModelError(ModelOption::structure, "damping is missing; type damping: 5 %, or damping: 0 for none");
+    refuse(ModelOption::structure, "damping is missing; type damping: 5 %, or damping: 0 for none");
   if (damping && is_damped)
-    throw ModelError(ModelOption::damping, "the structure was created with its damping; keep one of the two");
-  try {
-    if (s.frequencies.size() == 0) set_frequencies(s, modes);
-  } catch (const std::invalid_argument& error) {
-    throw ModelError(ModelOption::structure, error.what());
-  }
-  try {
-    if (damping) set_damping(s, *damping, modes);
-  } catch (const std::invalid_argument& error) {
-    throw ModelError(ModelOption::damping, error.what());
-  }
+    refuse(ModelOption::damping, "the structure was created with its damping; keep one of the two");
+  if (s.frequencies.size() == 0) checked(ModelOption::structure, [&] { set_frequencies(s, modes); });
+  if (damping) checked(ModelOption::damping, [&] { set_damping(s, *damping, modes); });
 }
 
 // With large rotations, K is not the stiffness of the displaced structure.
@@ -72,20 +64,16 @@ void refuse_initial_yield(const Structure& s) {
 // initial displacements of its floors.
 Eigen::VectorXd initial_motion(const OneOrEach& given, const Structure& s, ModelOption option, const char* what) {
   if (given.empty()) return Eigen::VectorXd::Zero(s.size());
-  if (s.is_rigid()) throw ModelError(option, "a wall moves with the ground; remove it").as_idle();
-  try {
-    if (s.dimension > 1 && option == ModelOption::initial_displacement)
-      return shape_of_floors(s, given.of_each(static_cast<int>(s.floors.size()), what));
-    if (s.dimension > 1) {
-      Eigen::VectorXd whole = Eigen::VectorXd::Zero(s.size());
-      for (const Support& support : s.supports) whole += support.influence.col(0);
-      return given.of_each(1, what).front() * whole;
-    }
-    const std::vector<double> values = given.of_each(s.size(), what);
-    return Eigen::Map<const Eigen::VectorXd>(values.data(), s.size());
-  } catch (const std::invalid_argument& error) {
-    throw ModelError(option, error.what());
+  if (s.is_rigid()) refuse_idle(option, "a wall moves with the ground; remove it");
+  if (s.dimension > 1 && option == ModelOption::initial_displacement)
+    return shape_of_floors(s, given.of_each(static_cast<int>(s.floors.size()), what));
+  if (s.dimension > 1) {
+    Eigen::VectorXd whole = Eigen::VectorXd::Zero(s.size());
+    for (const Support& support : s.supports) whole += support.influence.col(0);
+    return given.of_each(1, what).front() * whole;
   }
+  const std::vector<double> values = given.of_each(s.size(), what);
+  return Eigen::Map<const Eigen::VectorXd>(values.data(), s.size());
 }
 
 void apply_forces(Structure& s, const std::vector<ForceOptions>& forces) {
@@ -99,19 +87,17 @@ void apply_forces(Structure& s, const std::vector<ForceOptions>& forces) {
 }
 
 void set_initial_motion(Structure& s, const StructureOptions& options) {
-  s.initial_velocity = initial_motion(options.initial_velocity, s, ModelOption::initial_velocity, "initial_velocity");
+  const auto read = [&](const OneOrEach& given, ModelOption option, const char* what) {
+    return checked(option, [&] { return initial_motion(given, s, option, what); });
+  };
+  s.initial_velocity = read(options.initial_velocity, ModelOption::initial_velocity, "initial_velocity");
   s.initial_displacement =
-      initial_motion(options.initial_displacement, s, ModelOption::initial_displacement, "initial_displacement");
+      read(options.initial_displacement, ModelOption::initial_displacement, "initial_displacement");
   if (!options.initial_node_displacements.empty()) {
+    constexpr auto option = ModelOption::initial_node_displacements;
     if (!options.initial_displacement.empty())
-      throw ModelError(ModelOption::initial_node_displacements,
-                       "initial_displacement is given too; keep one of the two")
-          .as_idle();
-    try {
-      s.initial_displacement = shape_of_nodes(s, options.initial_node_displacements);
-    } catch (const std::invalid_argument& error) {
-      throw ModelError(ModelOption::initial_node_displacements, error.what());
-    }
+      refuse_idle(option, "initial_displacement is given too; keep one of the two");
+    s.initial_displacement = checked(option, [&] { return shape_of_nodes(s, options.initial_node_displacements); });
   }
   refuse_initial_yield(s);
 }
@@ -119,11 +105,10 @@ void set_initial_motion(Structure& s, const StructureOptions& options) {
 void take_face(Structure& s, const std::optional<Face>& face) {
   if (!face) return;
   if (!s.surface->plan())
-    throw ModelError(
+    refuse_idle(
         ModelOption::face,
         fmt::format("face applies only to drawn frames; gaps to this {} are given from face to face: remove face",
-                    s.kind))
-        .as_idle();
+                    s.kind));
   require_face(*face, ModelOption::face);
   s.face = face;
 }
@@ -284,9 +269,7 @@ void Model::check_ground() const {
       farthest = std::max(farthest, along);
     }
   if (!(farthest - nearest > together))
-    throw ModelError(ModelOption::wave,
-                     "reaches all supports at the same time; give each frame an origin, or remove it")
-        .as_idle();
+    refuse_idle(ModelOption::wave, "reaches all supports at the same time; give each frame an origin, or remove it");
 }
 
 namespace {

@@ -13,6 +13,13 @@
 
 namespace pounding {
 
+Row motion_along(const LinkEnd& end, const Eigen::Vector3d& direction, int size) {
+  Row row(size);
+  for (int axis = 0; axis < 3; ++axis)
+    if (direction[axis] != 0 && end.point.motion[axis].nonZeros() > 0) row += direction[axis] * end.point.motion[axis];
+  return row;
+}
+
 void require_face(const Face& face, ModelOption option) {
   if (!(face.distance >= 0) || std::isinf(face.distance))
     refuse(option, "face must be finite and not negative; type face: auto, or face: 0.3 m");

@@ -12,6 +12,9 @@ namespace pounding {
 /// refer to `option`.
 LinkEnd place_end(const PairEnd& end, const Structure& structure, Side side, double along, ModelOption option);
 
+/// Displacement of an end along a direction as factors of the `size` unknowns of its structure.
+Row motion_along(const LinkEnd& end, const Eigen::Vector3d& direction, int size);
+
 /// Throws ModelError for a negative or infinite distance.
 void require_face(const Face& face, ModelOption option);
 

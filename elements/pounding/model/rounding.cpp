@@ -4,14 +4,14 @@
 #include <algorithm>
 #include <limits>
 
+#include <pounding/model/place_ends.hpp>
+
 namespace pounding {
 
 double displacement_rounding(const LinkEnd& end, const Structure& s, const Eigen::Vector3d& direction,
                              const Eigen::VectorXd& u) {
   if (u.size() == 0) return 0;
-  Eigen::VectorXd row = Eigen::VectorXd::Zero(s.size());
-  for (int i = 0; i < 3; ++i)
-    if (direction[i] != 0 && end.point.motion[i].nonZeros() > 0) row += direction[i] * end.point.motion[i];
+  const Eigen::VectorXd row = motion_along(end, direction, s.size());
   constexpr double eps = std::numeric_limits<double>::epsilon();
   // Round-off of the sum r'u itself.
   const double of_sum = eps * row.cwiseAbs().dot(u.cwiseAbs());

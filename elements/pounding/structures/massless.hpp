@@ -20,6 +20,13 @@ Matrix sparse_matrix(Eigen::Index rows, Eigen::Index columns, const std::vector<
   return matrix;
 }
 
+/// Adds the nonzero entries of a block whose first row and column is `first`.
+inline void add_entries(std::vector<Eigen::Triplet<double>>& entries, const SparseMatrix& block, int first) {
+  for (int j = 0; j < block.outerSize(); ++j)
+    for (SparseMatrix::InnerIterator it(block, j); it; ++it)
+      if (it.value() != 0) entries.emplace_back(first + static_cast<int>(it.row()), first + j, it.value());
+}
+
 /// Degrees of freedom by mass, both lists increasing.
 struct MassSplit {
   std::vector<int> dynamic;   ///< with mass

@@ -19,8 +19,8 @@
 namespace pounding {
 namespace {
 
-constexpr std::array<std::string_view, 7> numbers{"inertia_y",    "inertia_z",         "torsion",          "shear_area_y",
-                                                  "shear_area_z", "plastic_modulus_y", "plastic_modulus_z"};
+constexpr std::array<std::string_view, 7> numbers{
+    "inertia_y", "inertia_z", "torsion", "shear_area_y", "shear_area_z", "plastic_modulus_y", "plastic_modulus_z"};
 
 Section read_profile(const Input& node, const std::string& name) {
   if (const auto found = placed(node, [&] { return find_profile(name); })) return *found;
@@ -97,8 +97,7 @@ Section read_section(const Input& node, int dimension) {
       found->fail_at_key(
           fmt::format("follows from the shape {}; leave it out, or give section properties only", shape));
   const Input given = node.at(shape);
-  Section section =
-      has_shape ? placed(given, [&] { return read_shape(given, shape); }) : read_numbers(node, dimension);
+  Section section = has_shape ? placed(given, [&] { return read_shape(given, shape); }) : read_numbers(node, dimension);
   if (const auto shear = node.find("shear")) {
     const bool wanted = shear->as_bool();
     const bool has = dimension == 2 ? node.has("shear_area_z") : node.has("shear_area_y") && node.has("shear_area_z");

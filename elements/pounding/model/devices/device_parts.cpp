@@ -25,17 +25,6 @@ Bar bar_of(const std::variant<Bar, BarSection>& given, std::optional<double> len
   return {section.young * section.area / *length};
 }
 
-template <class Check>
-void checked(ModelOption option, const Check& check) {
-  try {
-    check();
-  } catch (const ModelError&) {
-    throw;
-  } catch (const std::invalid_argument& error) {
-    refuse(option, error.what());
-  }
-}
-
 }  // namespace
 
 Eigen::Vector3d unit_vector(const Eigen::Vector3d& line) {

@@ -13,6 +13,7 @@
 #include <pounding/model/facing.hpp>
 #include <pounding/model/place_ends.hpp>
 #include <pounding/model/refuse_option.hpp>
+#include <pounding/structures/massless.hpp>
 
 namespace pounding {
 namespace {
@@ -90,14 +91,6 @@ std::string names_of(const Model& model, const std::vector<int>& structures) {
 // Stiffness of a device at rest; zero for a damper, in slow motion, and for a slack cable.
 double first_stiffness(const Device& device) { return LoadedSpring(*device.member).evaluate_slowly(0).by_penetration; }
 
-// Motion of an end along the device in terms of the unknowns of all joined structures, from this one on.
-void add_motion(const LinkEnd& end, const Eigen::Vector3d& direction, int first, Eigen::SparseVector<double>& row) {
-  for (int axis = 0; axis < 3; ++axis)
-    if (direction[axis] != 0)
-      for (Row::InnerIterator it(end.point.motion[axis]); it; ++it)
-        row.coeffRef(first + it.index()) += direction[axis] * it.value();
-}
-
 }  // namespace
 
 void Model::connect(const std::string& name, const ContactLocation& left, const ContactLocation& right,
@@ -122,10 +115,7 @@ void Model::connect(const std::string& name, const ContactLocation& left, const 
   double stiffness = 0, mass = 0;
   for (const auto& [end, s] : {std::pair(&device.left, &a), std::pair(&device.right, &b)}) {
     if (s->is_rigid()) continue;
-    Row row(s->size());
-    for (int axis = 0; axis < 3; ++axis)
-      if (device.direction[axis] != 0 && end->point.motion[axis].nonZeros() > 0)
-        row += device.direction[axis] * end->point.motion[axis];
+    const Row row = motion_along(*end, device.direction, s->size());
     stiffness = std::max(stiffness, against(s->stiffness, row));
     mass = std::max(mass, against(s->mass, row));
   }
@@ -145,16 +135,11 @@ JoinedByBars joined_by_bars(const Model& model) {
   std::vector<int> first(model.structures.size(), 0);
   std::vector<Eigen::Triplet<double>> mass, stiffness;
   int n = 0, modes = 0;
-  const auto add = [](std::vector<Eigen::Triplet<double>>& entries, const SparseMatrix& block, int at) {
-    for (int j = 0; j < block.outerSize(); ++j)
-      for (SparseMatrix::InnerIterator it(block, j); it; ++it)
-        entries.emplace_back(at + static_cast<int>(it.row()), at + j, it.value());
-  };
   for (const int number : joined.structures) {
     const Structure& s = model.structures[number];
     first[number] = n;
-    add(mass, s.mass, n);
-    add(stiffness, s.stiffness, n);
+    add_entries(mass, s.mass, n);
+    add_entries(stiffness, s.stiffness, n);
     n += s.size();
     modes += count_of_modes(s);
   }
@@ -163,8 +148,11 @@ JoinedByBars joined_by_bars(const Model& model) {
     if (k == 0) continue;
     Eigen::SparseVector<double> elongation(n);
     for (const auto& [end, sign] : {std::pair(&device.left, -1.0), std::pair(&device.right, 1.0)})
-      if (!model.structures[end->structure].is_rigid())
-        add_motion(*end, sign * device.direction, first[end->structure], elongation);
+      if (const Structure& s = model.structures[end->structure]; !s.is_rigid()) {
+        const Row row = motion_along(*end, sign * device.direction, s.size());
+        for (Row::InnerIterator it(row); it; ++it)
+          elongation.coeffRef(first[end->structure] + it.index()) += it.value();
+      }
     for (Row::InnerIterator i(elongation); i; ++i)
       for (Row::InnerIterator j(elongation); j; ++j)
         stiffness.emplace_back(static_cast<int>(i.index()), static_cast<int>(j.index()), k * i.value() * j.value());

@@ -11,6 +11,7 @@
 
 #include <pounding/core/units.hpp>
 #include <pounding/model/first_yield.hpp>
+#include <pounding/model/place_ends.hpp>
 #include <pounding/model/rounding.hpp>
 
 namespace pounding {
@@ -35,14 +36,6 @@ void require_linear_start(const Structure& s) {
         fmt::format("{} starts displaced, but with a preload it starts in equilibrium; remove one of the two", s.name));
 }
 
-// Displacement of an end along the link in terms of these unknowns.
-Eigen::VectorXd along(const LinkEnd& end, const Eigen::Vector3d& direction, int size) {
-  Eigen::VectorXd row = Eigen::VectorXd::Zero(size);
-  for (int i = 0; i < 3; ++i)
-    if (direction[i] != 0 && end.point.motion[i].nonZeros() > 0) row += direction[i] * end.point.motion[i];
-  return row;
-}
-
 // Approach of the two ends of a link [m].
 template <class Displacement>
 double approach(const Link& link, const std::vector<Structure>& structures, Displacement&& displacement) {
@@ -50,7 +43,7 @@ double approach(const Link& link, const std::vector<Structure>& structures, Disp
   for (const auto& [end, sign] : {std::pair(&link.left, 1.0), std::pair(&link.right, -1.0)}) {
     const Structure& s = structures[end->structure];
     const Eigen::VectorXd u = displacement(s);
-    if (u.size() > 0) sum += sign * along(*end, link.direction, s.size()).dot(u);
+    if (u.size() > 0) sum += sign * motion_along(*end, link.direction, s.size()).dot(u);
   }
   return sum;
 }
@@ -111,7 +104,7 @@ void press_preloaded(std::vector<Structure>& structures, std::vector<Link>& link
       if (s.is_rigid()) continue;
       auto [columns, is_new] = closing.try_emplace(end->structure, Eigen::MatrixXd::Zero(s.size(), count));
       if (is_new) require_linear_start(s);
-      columns->second.col(i) += sign * along(*end, pressed[i]->direction, s.size());
+      columns->second.col(i) += sign * motion_along(*end, pressed[i]->direction, s.size());
     }
   Eigen::MatrixXd flexibility = Eigen::MatrixXd::Zero(count, count);
   for (const auto& [number, columns] : closing) {
