@@ -113,12 +113,12 @@ TEST_F(MotionInput, KeysInTheWrongPlaceAreRefused) {
                              {"m.yaml:1:34", "sum[0]", "duration", "amplitude", "period", "phase"}));
   EXPECT_TRUE(test::mentions(error("{sum: [{amplitude: 1, period: 1}]}"), {"m.yaml:1:1", "duration: 10 s"}));
   EXPECT_TRUE(test::mentions(error("{sum: [], duration: 3}"),
-                             {"m.yaml:1:7", "sum", "sum: [{amplitude: 0.2 g, period: 0.5 s}]"}));
+                             {"m.yaml:1:7", "sum", "sum: [{amplitude: 0.35 g, period: 0.5 s}]"}));
   EXPECT_TRUE(test::mentions(error("{sum: {amplitude: 1, period: 1}, duration: 3}"), {"m.yaml:1:7", "sum", "[a, b]"}));
   EXPECT_TRUE(
       test::mentions(error("displacement: {}"),
                      {"m.yaml:1:15", "displacement",
-                      "displacement: {harmonic: {amplitude: 20 mm, period: 1 s, duration: 10 s}}", "record", "sum"}));
+                      "displacement: {harmonic: {amplitude: 20 mm, period: 0.5 s, duration: 10 s}}", "record", "sum"}));
   EXPECT_TRUE(test::mentions(error("displacement: {pulse: {}}"),
                              {"m.yaml:1:16", "displacement", "pulse", "record", "harmonic", "sum"}));
   EXPECT_TRUE(test::mentions(error("displacement: {harmonic: {}, sum: []}"),

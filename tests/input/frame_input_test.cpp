@@ -346,7 +346,7 @@ TEST(FrameInput, SpringsAreAtOneNodeOrBetweenTwo) {
   EXPECT_NEAR(s.damping.coeff(0, 0), 1e5, 1e-9);
   EXPECT_NEAR(s.damping.coeff(0, 3), -1e5, 1e-9);
   refused(portal + "springs: [{dof: ux, stiffness: 1}]\n", at("11:11", "springs[0]"),
-          mentions({"between: [a, b]", "node: a"}));
+          mentions({"between: [b, c]", "node: b"}));
   refused(portal + "springs: [{node: b, dof: ux}]\n", at("11:11", "springs[0]"), mentions({"stiffness: 1 MN/m"}));
   refused(portal + "springs: [{node: b, between: [b, c], dof: ux, stiffness: 1}]\n", at("11:21", "springs[0].between"),
           mentions({"node", "between"}));

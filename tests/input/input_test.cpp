@@ -229,10 +229,10 @@ TEST(Input, IntegersAreWholeAndInRange) {
   EXPECT_EQ(input.at("low").as_integer(), -1);
   EXPECT_TRUE(test::mentions(error_of([&] { input.at("real").as_integer(); }), {"model.yaml:1:14", "real", "8.0"}));
   EXPECT_TRUE(test::mentions(error_of([&] { input.at("text").as_integer(); }), {"model.yaml:1:25", "text", "eight"}));
-  EXPECT_TRUE(
-      test::mentions(error_of([&] { input.at("low").as_integer(0, 9); }), {"model.yaml:1:37", "low", "-1", "9"}));
-  EXPECT_TRUE(
-      test::mentions(error_of([&] { input.at("n").as_integer(-9, 7); }), {"model.yaml:1:5", "n", "8", "-9", "7"}));
+  EXPECT_TRUE(test::mentions(error_of([&] { input.at("low").as_integer({.low = 0, .high = 9}); }),
+                             {"model.yaml:1:37", "low", "-1", "9"}));
+  EXPECT_TRUE(test::mentions(error_of([&] { input.at("n").as_integer({.low = -9, .high = 7}); }),
+                             {"model.yaml:1:5", "n", "8", "-9", "7"}));
   EXPECT_TRUE(test::mentions(error_of([&] { input.at("list").as_integer(); }), {"model.yaml:1:47", "list"}));
   EXPECT_TRUE(test::mentions(error_of([&] { input.at("none").as_integer(); }), {"model.yaml:1:52", "none"}));
 }

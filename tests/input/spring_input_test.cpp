@@ -75,7 +75,7 @@ TEST(SpringInput, ReportsErrorsWithTheirLocation) {
           mentions({"law", "isolator: {bouc_wen: {stiffness: 1e+07 N/m, yield_force: 150 kN}}",
                     "spring: {bouc_wen: {yield_force: 150 kN}}"}));
   refused(building("spring: {}"), at("4:86", "structures.a.shear_building.spring"),
-          mentions({"spring: {bouc_wen: {yield_force: 2 MN}}"}));
+          mentions({"spring: {bouc_wen: {yield_force: 2 MN, hardening: 5 %}}", "menegotto_pinto"}));
   refused(building("spring: {bilinear: {yield_force: 1 MN}, bouc_wen: {yield_force: 1 MN}}"),
           at("4:118", "structures.a.shear_building.spring.bouc_wen"));
   refused(building("spring: {bouc_wen: {hardening: 5 %}}"), at("4:97", "structures.a.shear_building.spring.bouc_wen"),

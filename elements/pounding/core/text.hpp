@@ -30,6 +30,9 @@ std::optional<WrongText> wrong_text(std::string_view text);
 /// spaces.
 std::string shown_line(std::string_view text);
 
+/// Text without these characters at its ends.
+std::string_view trimmed(std::string_view text, std::string_view blanks = " \t");
+
 /// Non-empty substrings of a text between any of these characters.
 std::vector<std::string_view> parts_between(std::string_view text, std::string_view separators);
 

@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include <pounding/core/error.hpp>
+#include <pounding/core/text.hpp>
 #include <pounding/core/unit_reader.hpp>
 
 namespace pounding {
@@ -50,12 +51,6 @@ const NamedDimension* named(const Dimension& dimension) {
   for (const NamedDimension& candidate : named_dimensions)
     if (candidate.dimension == dimension) return &candidate;
   return nullptr;
-}
-
-std::string_view trimmed(std::string_view text) {
-  while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
-  while (!text.empty() && is_blank(text.back())) text.remove_suffix(1);
-  return text;
 }
 
 /// Reads the number at the beginning of `text` and returns the rest; nullopt unless it is finite.

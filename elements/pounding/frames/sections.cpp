@@ -6,13 +6,10 @@
 #include <string>
 #include <utility>
 
+#include <pounding/laws/checks.hpp>
+
 namespace pounding {
 namespace {
-
-void require_positive(double value, const char* what) {
-  if (!(value > 0) || std::isinf(value))
-    throw std::invalid_argument(std::string(what) + " must be positive and finite");
-}
 
 double cubed(double x) { return x * x * x; }
 
@@ -47,8 +44,8 @@ double cowper_i_factor(double b, double h, double flange, double web) {
 }  // namespace
 
 Section rectangle_section(double width, double depth) {
-  require_positive(width, "width");
-  require_positive(depth, "depth");
+  laws::require_positive("width", width);
+  laws::require_positive("depth", depth);
   const double area = width * depth;
   return {.area = area,
           .inertia_y = width * cubed(depth) / 12,
@@ -63,22 +60,22 @@ Section rectangle_section(double width, double depth) {
 }
 
 Section circle_section(double diameter) {
-  require_positive(diameter, "diameter");
+  laws::require_positive("diameter", diameter);
   return ring(diameter, 0);
 }
 
 Section tube_section(double diameter, double thickness) {
-  require_positive(diameter, "diameter");
-  require_positive(thickness, "thickness");
+  laws::require_positive("diameter", diameter);
+  laws::require_positive("thickness", thickness);
   if (2 * thickness >= diameter) throw std::invalid_argument("thickness must be less than half the diameter");
   return ring(diameter, (diameter - 2 * thickness) / diameter);
 }
 
 Section i_section(double depth, double width, double flange, double web) {
-  require_positive(depth, "depth");
-  require_positive(width, "width");
-  require_positive(flange, "flange");
-  require_positive(web, "web");
+  laws::require_positive("depth", depth);
+  laws::require_positive("width", width);
+  laws::require_positive("flange", flange);
+  laws::require_positive("web", web);
   if (2 * flange >= depth) throw std::invalid_argument("flange must be less than half the depth");
   if (web > width) throw std::invalid_argument("web must not be wider than the flanges (width)");
   const double clear = depth - 2 * flange, between = depth - flange;
@@ -97,9 +94,9 @@ Section i_section(double depth, double width, double flange, double web) {
 }
 
 Material isotropic(double young, double density, double poisson) {
-  if (!(young > 0) || std::isinf(young)) throw std::invalid_argument("young must be positive and finite");
+  laws::require_positive("young", young);
   if (!(poisson >= 0 && poisson <= 0.5)) throw std::invalid_argument("poisson must be in [0, 0.5]");
-  if (!(density >= 0) || std::isinf(density)) throw std::invalid_argument("density must be finite and not negative");
+  laws::require_not_negative("density", density);
   return {.young = young, .shear = young / (2 * (1 + poisson)), .density = density};
 }
 
@@ -117,7 +114,7 @@ Section turned_section(Section section) {
 }
 
 double plastic_moment(const Section& section, BendingAxis axis, double strength) {
-  require_positive(strength, "strength");
+  laws::require_positive("strength", strength);
   const double modulus = axis == BendingAxis::y ? section.plastic_y : section.plastic_z;
   if (!(modulus > 0))
     throw std::invalid_argument(
@@ -128,7 +125,7 @@ double plastic_moment(const Section& section, BendingAxis axis, double strength)
 }
 
 Section with_stiffness(Section section, double factor) {
-  require_positive(factor, "stiffness");
+  laws::require_positive("stiffness", factor);
   section.inertia_y *= factor;
   section.inertia_z *= factor;
   return section;

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include <pounding/input/bounds.hpp>
 #include <pounding/structures/isolators.hpp>
 
 namespace pounding {
@@ -35,8 +36,8 @@ RayleighDamping read_two_points(const Input& node, const Structure& s) {
   if (modes) {
     if (!modes->is_list() || modes->items().size() != 2) modes->fail("takes two mode numbers; type modes: [1, 2]");
     const std::vector<Input> items = modes->items();
-    const int count = count_of_modes(s);
-    damping.modes = {static_cast<int>(items[0].as_integer(1, count)), static_cast<int>(items[1].as_integer(1, count))};
+    const Bounds allowed{.low = 1, .high = static_cast<double>(count_of_modes(s))};
+    damping.modes = {static_cast<int>(items[0].as_integer(allowed)), static_cast<int>(items[1].as_integer(allowed))};
   }
   return damping;
 }
@@ -74,7 +75,7 @@ Damping read_proportional(const Input& node, const Structure& s, To to, const st
   ProportionalDamping damping{.to = to, .ratio = node.quantity("ratio"), .period = node.find_quantity("period")};
   if (const auto mode = node.find("mode")) {
     if (damping.period) mode->fail_at_key("give the mode or the period, not both");
-    damping.mode = static_cast<int>(mode->as_integer(1, count_of_modes(s)));
+    damping.mode = static_cast<int>(mode->as_integer({.low = 1, .high = static_cast<double>(count_of_modes(s))}));
   }
   return Damping(damping, of);
 }
@@ -105,7 +106,7 @@ Damping read_modal(const Input& node, const Structure& s, const std::optional<Da
 Damping read_damping(const Input& node, const Structure& s) {
   if (!node.is_map()) return node.as_quantity();
   node.only_keys();
-  const std::string model = node.chosen();
+  const std::string model = node.chosen("damping: {rayleigh: {ratio: 5 %, modes: [1, 2]}}");
   const auto of = read_damped_stiffness(node, s);
   const Input chosen = node.at(model);
   const bool by_mass = model == "mass_proportional" ||

@@ -113,7 +113,8 @@ class MotionReader {
   MotionReader(const Input& section, const Dimension& values) : section_(section), values_(values) {}
 
   GroundMotion read() const {
-    const std::string kind = section_.chosen();
+    const std::string kind = section_.chosen(
+        values_ == dimension::acceleration ? "record: FILE, or leave ground_motion out for a ground at rest" : "");
     for (const auto& [key, kinds] : keys_beside)
       if (const auto found = section_.find_known(key); found && kinds.find(kind) == std::string_view::npos)
         refuse_beside(*found, kinds, kind);
@@ -179,7 +180,10 @@ class MotionReader {
                pga = section_.find_known("pga");
     if (scale && pga) pga->fail_at_key("\"scale\" and \"pga\" both set the intensity; keep one of them");
     double factor = scale ? scale->as_quantity() : 1;
-    if (factor == 0) scale->fail("takes a number other than 0; to omit the motion or force, remove it");
+    if (factor == 0)
+      scale->fail(section_.knows("start")
+                      ? "takes a number other than 0; for no force leave the entry out"
+                      : "takes a number other than 0; for a ground at rest leave ground_motion out");
     const double velocity = quantity_or_zero(section_, "initial_velocity");
     RecordOptions options;
     if (units) options.units = units->as_text();

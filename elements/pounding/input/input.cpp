@@ -181,6 +181,10 @@ Input Input::in(const keys::Section& section) const {
   return same;
 }
 
+std::string_view Input::kind() const {
+  return node_.IsNull() ? "an empty value" : is_map() ? "a map" : is_list() ? "a list" : "a single value";
+}
+
 const keys::Key& Input::spec() const {
   if (!spec_) throw std::logic_error(fmt::format("{} is read, but is not a key of the input", path_));
   return *spec_;
@@ -226,7 +230,7 @@ void Input::only_keys(std::span<const std::string_view> allowed) const {
   }
 }
 
-std::string Input::chosen() const {
+std::string Input::chosen(std::string_view example) const {
   std::vector<const keys::Key*> group;
   std::string given;
   for (const keys::Key& each : section_->keys) {
@@ -242,12 +246,12 @@ std::string Input::chosen() const {
   const auto typed = [](std::string_view key, std::string_view example) { return fmt::format("{}: {}", key, example); };
   std::vector<std::string_view> names;
   for (const keys::Key* each : group) names.push_back(each->key);
-  const std::string first = typed(group[0]->key, group[0]->example);
-  if (group.size() == 2)
-    fail(fmt::format("{} is missing; type {}, or {}", fmt::join(names, " or "), first,
-                     typed(group[1]->key, group[1]->example)));
   const bool is_map = spec_ && part_ == Part::value && spec_->example.starts_with('{');
-  fail(fmt::format("takes one of {}; type {}", fmt::join(names, ", "), is_map ? typed(key_, spec_->example) : first));
+  std::string shown(example);
+  if (shown.empty()) shown = is_map ? typed(key_, spec_->example) : typed(group[0]->key, group[0]->example);
+  if (example.empty() && group.size() == 2)
+    shown = fmt::format("{}, or {}", typed(group[0]->key, group[0]->example), typed(group[1]->key, group[1]->example));
+  fail(fmt::format("takes one of {}; type {}", fmt::join(names, ", "), shown));
 }
 
 std::vector<std::pair<std::string, Input>> Input::entries() const {
@@ -285,14 +289,13 @@ std::string Input::number_with_comma() const {
 }
 
 std::string Input::as_text() const {
-  if (node_.IsNull()) fail("takes a text; an empty value was read");
-  if (!is_scalar()) fail(fmt::format("takes a text; a {} was read", is_map() ? "map" : "list"));
+  if (!is_scalar()) fail(fmt::format("takes a text; {} was read", kind()));
   return node_.Scalar();
 }
 
 void Input::rewrite(const std::string& text) {
   if (!is_scalar()) fail("cannot be replaced, since it is not a single value");
-  node_ = text;
+  static_cast<YAML::Node&>(node_) = text;
 }
 
 double Input::as_quantity() const { return as_quantity(spec().dimension, spec().bounds); }
@@ -300,10 +303,7 @@ double Input::as_quantity() const { return as_quantity(spec().dimension, spec().
 double Input::as_quantity(const Dimension& dimension) const { return as_quantity(dimension, spec().bounds); }
 
 double Input::as_quantity(const Dimension& dimension, const Bounds& allowed) const {
-  if (!is_scalar()) {
-    const std::string_view read = node_.IsNull() ? "an empty value" : is_map() ? "a map" : "a list";
-    fail(fmt::format("takes {}; {} was read", allowed_text(dimension, allowed), read));
-  }
+  if (!is_scalar()) fail(fmt::format("takes {}; {} was read", allowed_text(dimension, allowed), kind()));
   double value = 0;
   try {
     value = parse_quantity(node_.Scalar(), dimension);
@@ -329,32 +329,17 @@ std::vector<double> Input::as_quantities(int count, const Bounds& allowed) const
   return values;
 }
 
-long long Input::as_integer() const {
-  constexpr auto unlimited = std::numeric_limits<long long>();
-  const Bounds& allowed = spec().bounds;
-  return as_integer(allowed.has_low() ? static_cast<long long>(allowed.low) : unlimited.min(),
-                    allowed.has_high() ? static_cast<long long>(allowed.high) : unlimited.max());
-}
+long long Input::as_integer() const { return as_integer(spec().bounds); }
 
-long long Input::as_integer(long long low, long long high) const {
-  constexpr auto unlimited = std::numeric_limits<long long>();
-  std::string range;
-  if (low != unlimited.min() && high != unlimited.max())
-    range = fmt::format(" from {} to {}", low, high);
-  else if (low != unlimited.min())
-    range = fmt::format(" >= {}", low);
-  else if (high != unlimited.max())
-    range = fmt::format(" <= {}", high);
-  const std::string takes = fmt::format("takes an integer{}; ", range);
-
-  if (!is_scalar())
-    fail(fmt::format("{}{} was read", takes, node_.IsNull() ? "an empty value" : is_map() ? "a map" : "a list"));
+long long Input::as_integer(const Bounds& allowed) const {
+  const std::string takes = fmt::format("takes an integer{}; ", allowed.text());
+  if (!is_scalar()) fail(fmt::format("{}{} was read", takes, kind()));
   const std::string& text = node_.Scalar();
   long long value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error != std::errc{} || end != text.data() + text.size())
     fail(fmt::format("{}\"{}\" is not one", takes, excerpt(text)));
-  if (value < low || value > high) fail(fmt::format("{}\"{}\" is outside", takes, excerpt(text)));
+  if (!allowed.contain(static_cast<double>(value))) fail(fmt::format("{}\"{}\" is outside", takes, excerpt(text)));
   return value;
 }
 
@@ -406,9 +391,8 @@ void Input::fail_at(const Location& location, std::string_view message) const {
 
 void Input::expect_map() const {
   if (is_map()) return;
-  const std::string_view read = node_.IsNull() ? "an empty value" : is_scalar() ? "a single value" : "a list";
   const bool shown = spec_ && part_ == Part::value && spec_->example.starts_with('{');
-  fail(fmt::format("takes keys with values such as {}; {} was read", shown ? spec_->example : "{key: value}", read));
+  fail(fmt::format("takes keys with values such as {}; {} was read", shown ? spec_->example : "{key: value}", kind()));
 }
 
 }  // namespace pounding

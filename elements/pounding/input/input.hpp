@@ -45,21 +45,6 @@ class Input {
   using Files = std::shared_ptr<const std::map<std::string, std::string>>;
   static Input read_text(std::string text, std::string name, Files files = {}, bool generated = false);
 
-  Input(const Input&) = default;
-  /// The assignment of YAML::Node would write into the shared tree.
-  Input& operator=(const Input& other) {
-    source_ = other.source_;
-    node_.reset(other.node_);
-    path_ = other.path_;
-    key_ = other.key_;
-    location_ = other.location_;
-    key_location_ = other.key_location_;
-    spec_ = other.spec_;
-    section_ = other.section_;
-    part_ = other.part_;
-    return *this;
-  }
-
   /// Text of the whole file.
   const std::string& text() const noexcept { return source_->text; }
   /// Name of the file as given by the user.
@@ -98,8 +83,9 @@ class Input {
   void only_keys(std::initializer_list<std::string_view> allowed) const {
     only_keys(std::span(allowed.begin(), allowed.size()));
   }
-  /// The one key that is given, of those of which the section allows exactly one. Throws if there is none or a second.
-  std::string chosen() const;
+  /// The one key that is given, of those of which the section allows exactly one. Throws if there is a second, or none:
+  /// the message contains `example`, by default an example of the section or of its first key.
+  std::string chosen(std::string_view example = {}) const;
   /// Children of a map, in the order of the file.
   std::vector<std::pair<std::string, Input>> entries() const;
   /// Items of a list.
@@ -109,7 +95,7 @@ class Input {
   std::string as_text() const;
   /// An integer within the bounds of the key, or within bounds set by the model.
   long long as_integer() const;
-  long long as_integer(long long low, long long high) const;
+  long long as_integer(const Bounds& allowed) const;
   /// true or false.
   bool as_bool() const;
   /// A number in SI units or with a unit; "5 %" is 0.05. `dimension` and `allowed` replace those of the key if the
@@ -148,6 +134,15 @@ class Input {
   struct Location {
     int line = 1, column = 1;
   };
+  /// A node that refers to another one if assigned. YAML::Node would write into the shared tree.
+  struct Node : YAML::Node {
+    explicit Node(const YAML::Node& node) : YAML::Node(node) {}
+    Node(const Node&) = default;
+    Node& operator=(const Node& other) {
+      reset(other);
+      return *this;
+    }
+  };
 
   class WrongKeys;
 
@@ -158,13 +153,14 @@ class Input {
         Location key_location);
   Input child(std::string_view key, const YAML::Node& key_node, const YAML::Node& value) const;
   const keys::Key& spec() const;
+  std::string_view kind() const;  ///< of the node: "a map"
   void expect_map() const;
   /// First number with a decimal comma, "0,5 m", if this list of quantities looks like [0,5 m, 1,0 m]; empty otherwise.
   std::string number_with_comma() const;
   [[noreturn]] void fail_at(const Location& location, std::string_view message) const;
 
   std::shared_ptr<const Source> source_;
-  YAML::Node node_;
+  Node node_;
   std::string path_, key_;
   Location location_, key_location_;
   const keys::Key* spec_ = nullptr;

@@ -17,20 +17,14 @@ namespace {
 
 constexpr std::size_t longest_file = 10'000'000;
 
-std::string_view trimmed(std::string_view text) {
-  constexpr std::string_view blanks = " \t\r\n";
-  const std::size_t begin = text.find_first_not_of(blanks);
-  return begin == std::string_view::npos ? std::string_view{}
-                                         : text.substr(begin, text.find_last_not_of(blanks) + 1 - begin);
-}
+constexpr std::string_view blanks = " \t\r\n";
 
-// Splits a text at any of these characters.
-std::vector<std::string_view> split(std::string_view text, std::string_view separators, bool keeps_empty) {
+// Splits a text at a mark; parts may be empty.
+std::vector<std::string_view> split(std::string_view text, char mark) {
   std::vector<std::string_view> parts;
   for (std::size_t begin = 0; begin <= text.size();) {
-    const std::size_t end = std::min(text.find_first_of(separators, begin), text.size());
-    const std::string_view part = trimmed(text.substr(begin, end - begin));
-    if (keeps_empty || !part.empty()) parts.push_back(part);
+    const std::size_t end = std::min(text.find(mark, begin), text.size());
+    parts.push_back(trimmed(text.substr(begin, end - begin), blanks));
     begin = end + 1;
   }
   return parts;
@@ -68,11 +62,11 @@ const Structure& find_structure(const Model& model, const PushoverInput& keys) {
 double read_target(const Option& option, std::string_view text, double height) {
   constexpr std::string_view roof = "roof";
   const std::string whole(text);
-  if (text.ends_with(roof)) text = trimmed(text.substr(0, text.size() - roof.size()));
+  if (text.ends_with(roof)) text = trimmed(text.substr(0, text.size() - roof.size()), blanks);
   double number = 0, target = 0;
   if (text.empty()) option.refuse(R"(no target displacement; type one such as "250 mm" or "2 % roof")");
   if (text.ends_with('%')) {
-    if (!parse_number(trimmed(text.substr(0, text.size() - 1)), number))
+    if (!parse_number(trimmed(text.substr(0, text.size() - 1), blanks), number))
       option.refuse(
           fmt::format(R"("{}" is not a fraction of the height; type one such as "2 % roof")", excerpt(whole)));
     if (std::isnan(height))
@@ -102,10 +96,10 @@ std::vector<double> read_targets(const Structure& s, const PushoverInput& keys) 
   const double height = roof_height(s);
   std::vector<double> targets;
   if (!keys.cyclic.empty())
-    for (const std::string_view text : split(keys.cyclic, ",", true))
+    for (const std::string_view text : split(keys.cyclic, ','))
       targets.push_back(read_target(Option(keys, "cyclic"), text, height));
   if (!keys.to.empty() || keys.cyclic.empty())
-    targets.push_back(read_target(Option(keys, "to"), trimmed(keys.to), height));
+    targets.push_back(read_target(Option(keys, "to"), trimmed(keys.to, blanks), height));
   return targets;
 }
 
@@ -113,9 +107,9 @@ std::vector<double> read_forces(const Option& option, const std::string& path, s
   std::vector<double> forces;
   const std::string text = read_text_file(path, "file of forces", longest_file);
   std::size_t number = 0;
-  for (const std::string_view line : split(text, "\n", true)) {
+  for (const std::string_view line : split(text, '\n')) {
     ++number;
-    for (const std::string_view item : split(line.substr(0, line.find('#')), " \t,;", false))
+    for (const std::string_view item : parts_between(line.substr(0, line.find('#')), " \t,;"))
       if (double force = 0; parse_number(item, force))
         forces.push_back(force);
       else

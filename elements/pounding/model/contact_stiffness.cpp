@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <pounding/core/units.hpp>
+#include <pounding/laws/checks.hpp>
 
 namespace pounding {
 namespace {
@@ -22,8 +23,7 @@ template <class... F>
 Each(F...) -> Each<F...>;
 
 double positive(double value, std::string_view name) {
-  if (!(value > 0) || std::isinf(value))
-    throw std::invalid_argument(fmt::format("{} must be positive and finite", name));
+  laws::require_positive(name, value);
   return value;
 }
 

@@ -34,19 +34,26 @@ constexpr double deepest_penetration = 0.05;                   // [m]
 constexpr double coarsest_tolerance = 1e-2;
 constexpr double max_cut = 0.05;  // of the Arias intensity of a record
 
+struct Warnings : std::vector<Warning> {
+  template <class... T>
+  void add(const char* name, fmt::format_string<T...> text, T&&... values) {
+    push_back({name, fmt::format(text, std::forward<T>(values)...)});
+  }
+};
+
 // True for buildings: bodies such as balls and trucks may be light.
 bool stands(const Structure& s) { return !s.is_rigid() && !s.is_free; }
 
-void warn_about_period(const Structure& s, std::vector<Warning>& warnings) {
+void warn_about_period(const Structure& s, Warnings& warnings) {
   const double period = 2 * M_PI / s.frequencies[0];
   if (period >= shortest_period && period <= longest_period) return;
-  warnings.push_back(
-      {"period", fmt::format("structure {}: the first period is {:.4g} s, and those of structures lie from {:g} s to "
-                             "{:g} s; check that masses and stiffnesses are in kg and N/m, or have units",
-                             s.name, period, shortest_period, longest_period)});
+  warnings.add("period",
+               "structure {}: the first period is {:.4g} s, and those of structures lie from {:g} s to "
+               "{:g} s; check that masses and stiffnesses are in kg and N/m, or have units",
+               s.name, period, shortest_period, longest_period);
 }
 
-void warn_about_mass(const Structure& s, std::vector<Warning>& warnings) {
+void warn_about_mass(const Structure& s, Warnings& warnings) {
   // A number that makes the floors light already has a warning of the reader.
   const std::string place = fmt::format("structures.{}.", s.name);
   if (std::ranges::any_of(
@@ -55,9 +62,8 @@ void warn_about_mass(const Structure& s, std::vector<Warning>& warnings) {
   const auto lightest = std::min_element(s.floors.begin(), s.floors.end(),
                                          [](const Floor& a, const Floor& b) { return a.mass < b.mass; });
   if (lightest == s.floors.end() || lightest->mass >= lightest_floor) return;
-  warnings.push_back(
-      {"mass", fmt::format("structure {}: floor {} has {}, under 1 t; a bare mass is in kg, type its unit, as in 250 t",
-                           s.name, lightest->label, format_quantity(lightest->mass, dimension::mass))});
+  warnings.add("mass", "structure {}: floor {} has {}, under 1 t; a bare mass is in kg, type its unit, as in 250 t",
+               s.name, lightest->label, format_quantity(lightest->mass, dimension::mass));
 }
 
 // Height of the highest storey, the first one from the lowest node [m]; of the whole frame if it has no floors.
@@ -72,38 +78,34 @@ double highest_storey(const Structure& s) {
   return s.floors.empty() ? high->z() - low->z() : highest;
 }
 
-void warn_about_members(const Structure& s, std::vector<Warning>& warnings) {
+void warn_about_members(const Structure& s, Warnings& warnings) {
   const Geometry& g = s.geometry;
   if (g.members.empty()) return;
   const auto deepest = std::max_element(g.depths.begin(), g.depths.end());
   const auto name_of = [&](std::ptrdiff_t member) -> const std::string& { return g.member_names[member]; };
   const auto metres = [](double length) { return format_quantity(length, dimension::length); };
   if (const double storey = highest_storey(s); storey > 0 && *deepest > storey)
-    warnings.push_back(
-        {"section",
-         fmt::format(
-             "structure {}: member {} is some {} deep, more than a storey of {}; a bare length is in m, type its "
-             "unit, as in 400 mm",
-             s.name, name_of(deepest - g.depths.begin()), metres(*deepest), metres(storey))});
+    warnings.add("section",
+                 "structure {}: member {} is some {} deep, more than a storey of {}; a bare length is in m, type its "
+                 "unit, as in 400 mm",
+                 s.name, name_of(deepest - g.depths.begin()), metres(*deepest), metres(storey));
   const auto thinnest = std::min_element(g.depths.begin(), g.depths.end());
   if (*thinnest < thinnest_member)
-    warnings.push_back(
-        {"section", fmt::format("structure {}: member {} is some {} deep, under 2 mm; check the unit of its section",
-                                s.name, name_of(thinnest - g.depths.begin()), metres(*thinnest))});
+    warnings.add("section", "structure {}: member {} is some {} deep, under 2 mm; check the unit of its section",
+                 s.name, name_of(thinnest - g.depths.begin()), metres(*thinnest));
   const auto softest = std::min_element(g.moduli.begin(), g.moduli.end());
   if (*softest < softest_material)
-    warnings.push_back(
-        {"E", fmt::format(
-                  "structure {}: member {} has E = {}, under 100 MPa; a bare E is in Pa, type its unit, as in 30 GPa",
-                  s.name, name_of(softest - g.moduli.begin()), format_quantity(*softest, dimension::stress))});
+    warnings.add("E",
+                 "structure {}: member {} has E = {}, under 100 MPa; a bare E is in Pa, type its unit, as in 30 GPa",
+                 s.name, name_of(softest - g.moduli.begin()), format_quantity(*softest, dimension::stress));
 }
 
 // Isolators stick until they slide, and dampers have no limit.
-void warn_about_yielding(const Structure& s, std::vector<Warning>& warnings) {
+void warn_about_yielding(const Structure& s, Warnings& warnings) {
   const auto first_warning = [&](const char* name, auto&& text_of) {
     for (const YieldingPart& part : s.yielding)
       if (const std::string text = text_of(part); !text.empty()) {
-        warnings.push_back({name, fmt::format("structure {}: {} {}", s.name, part.name, text)});
+        warnings.add(name, "structure {}: {} {}", s.name, part.name, text);
         return;
       }
   };
@@ -135,36 +137,39 @@ double strength(const YieldingPart& part) {
 }
 
 // Strength of all isolators together; in space each is listed once per axis.
-void warn_about_isolators(const Structure& s, std::vector<Warning>& warnings) {
+void warn_about_isolators(const Structure& s, Warnings& warnings) {
   const double weight = s.total_mass().x() * standard_gravity;
   double sum = 0;
   for (const YieldingPart& part : s.yielding)
     if (isolates(part)) sum += strength(part);
   if (s.dimension == 3) sum /= 2;
   if (!(weight > 0) || !(sum > 0) || (sum >= weakest_isolators * weight && sum <= weight)) return;
-  warnings.push_back({"isolator", fmt::format("structure {}: its isolators start to move at {}, {:.3g} % of its weight "
-                                              "of {}, 2 % to 15 % are typical; a bare "
-                                              "force is in N, type its unit, as in 375 kN",
-                                              s.name, format_quantity(sum, dimension::force), 100 * sum / weight,
-                                              format_quantity(weight, dimension::force))});
+  warnings.add("isolator",
+               "structure {}: its isolators start to move at {}, {:.3g} % of its weight "
+               "of {}, 2 % to 15 % are typical; a bare "
+               "force is in N, type its unit, as in 375 kN",
+               s.name, format_quantity(sum, dimension::force), 100 * sum / weight,
+               format_quantity(weight, dimension::force));
 }
 
-void warn_about_start(const Structure& s, std::vector<Warning>& warnings) {
+void warn_about_start(const Structure& s, Warnings& warnings) {
   const auto largest = [](const Eigen::VectorXd& values) {
     return values.size() > 0 ? values.cwiseAbs().maxCoeff() : 0.0;
   };
   if (const double moved = largest(s.initial_displacement); moved > largest_start)
-    warnings.push_back({"initial", fmt::format("structure {}: initial displacement of {}, above {:g} m; a bare "
-                                               "length is in m, type its unit, as in -5 mm",
-                                               s.name, format_quantity(moved, dimension::length), largest_start)});
+    warnings.add("initial",
+                 "structure {}: initial displacement of {}, above {:g} m; a bare "
+                 "length is in m, type its unit, as in -5 mm",
+                 s.name, format_quantity(moved, dimension::length), largest_start);
   if (const double velocity = largest(s.initial_velocity); velocity > fastest_start)
-    warnings.push_back({"initial", fmt::format("structure {}: initial velocity of {}, above {:g} m/s; a bare "
-                                               "velocity is in m/s, type its unit, as in 0.5 "
-                                               "m/s",
-                                               s.name, format_quantity(velocity, dimension::velocity), fastest_start)});
+    warnings.add("initial",
+                 "structure {}: initial velocity of {}, above {:g} m/s; a bare "
+                 "velocity is in m/s, type its unit, as in 0.5 "
+                 "m/s",
+                 s.name, format_quantity(velocity, dimension::velocity), fastest_start);
 }
 
-void warn_about_ground(const Model& model, std::vector<Warning>& warnings) {
+void warn_about_ground(const Model& model, Warnings& warnings) {
   double peak = 0;
   const auto take = [&](const GroundComponents& components) {
     for (const GroundMotion& motion : components) peak = std::max(peak, motion.peak());
@@ -174,30 +179,27 @@ void warn_about_ground(const Model& model, std::vector<Warning>& warnings) {
     for (const Support& support : s.supports)
       if (support.motion) take(*support.motion);
   if (peak <= strongest_ground) return;
-  warnings.push_back({"scale", fmt::format("ground motion: its peak acceleration is {:.4g} g, above {:g} g; scale is a "
-                                           "factor on the record in its own unit, "
-                                           "as in 1.5, and pga: 0.35 g gives the peak itself",
-                                           peak / standard_gravity, strongest_ground / standard_gravity)});
+  warnings.add("scale",
+               "ground motion: its peak acceleration is {:.4g} g, above {:g} g; scale is a "
+               "factor on the record in its own unit, "
+               "as in 1.5, and pga: 0.35 g gives the peak itself",
+               peak / standard_gravity, strongest_ground / standard_gravity);
 }
 
-void warn_about_gaps(const Model& model, std::vector<Warning>& warnings) {
+void warn_about_gaps(const Model& model, Warnings& warnings) {
   const auto widest = std::max_element(model.links.begin(), model.links.end(),
                                        [](const Link& a, const Link& b) { return a.gap < b.gap; });
   if (widest == model.links.end()) return;
   const auto is_narrow = [](const Link& link) { return link.gap > round_off_of_gap && link.gap < narrowest_gap; };
   if (const auto narrow = std::ranges::find_if(model.links, is_narrow); narrow != model.links.end())
-    warnings.push_back(
-        {"gap",
-         fmt::format(
-             "link {}: the gap is {}, under 0.05 mm; type it with its unit, as in 20 mm, or gap: 0 if the two touch",
-             narrow->name, format_quantity(narrow->gap, dimension::length))});
+    warnings.add(
+        "gap", "link {}: the gap is {}, under 0.05 mm; type it with its unit, as in 20 mm, or gap: 0 if the two touch",
+        narrow->name, format_quantity(narrow->gap, dimension::length));
   if (widest->gap <= widest_gap) return;
-  warnings.push_back(
-      {"gap",
-       fmt::format(
-           "link {}: the gap is {}, above {:g} m; a bare length is in m, type its unit, as in 20 mm, and check the "
-           "origins",
-           widest->name, format_quantity(widest->gap, dimension::length), widest_gap)});
+  warnings.add("gap",
+               "link {}: the gap is {}, above {:g} m; a bare length is in m, type its unit, as in 20 mm, and check the "
+               "origins",
+               widest->name, format_quantity(widest->gap, dimension::length), widest_gap);
 }
 
 // Calls visit(samples, last arrival [s]) for each record of the ground, of supports and of forces. Copies of a motion
@@ -218,7 +220,7 @@ void for_each_record(const Model& model, const Visit& visit) {
 }
 
 // Closed forms are skipped: their times are typed next to the duration.
-void warn_about_duration(const Model& model, std::vector<Warning>& warnings) {
+void warn_about_duration(const Model& model, Warnings& warnings) {
   std::map<const Samples*, double> arrivals;
   for_each_record(model, [&](const Samples& samples, double arrival) {
     double& latest = arrivals.try_emplace(&samples, arrival).first->second;
@@ -234,15 +236,15 @@ void warn_about_duration(const Model& model, std::vector<Warning>& warnings) {
     needed = std::max(needed, arrival + measure(*samples).t95);
   }
   if (cut > 0)
-    warnings.push_back(
-        {"duration", fmt::format("analysis: the duration of {:.4g} s cuts {} of {} record{}, by more than 5 % of the "
-                                 "Arias intensity and up "
-                                 "to {:.0f} %; type a duration of at least {:.6g} s, or remove it",
-                                 model.analysis.duration, cut, arrivals.size(), arrivals.size() == 1 ? "" : "s",
-                                 100 * worst, std::ceil(10 * needed) / 10)});
+    warnings.add("duration",
+                 "analysis: the duration of {:.4g} s cuts {} of {} record{}, by more than 5 % of the "
+                 "Arias intensity and up "
+                 "to {:.0f} %; type a duration of at least {:.6g} s, or remove it",
+                 model.analysis.duration, cut, arrivals.size(), arrivals.size() == 1 ? "" : "s", 100 * worst,
+                 std::ceil(10 * needed) / 10);
 }
 
-void warn_about_records(const Model& model, std::vector<Warning>& warnings) {
+void warn_about_records(const Model& model, Warnings& warnings) {
   std::set<std::string> known;
   for_each_record(model, [&](const Samples& samples, double) {
     for (const std::string& text : samples.warnings)
@@ -251,7 +253,7 @@ void warn_about_records(const Model& model, std::vector<Warning>& warnings) {
 }
 
 // Ends without a typed face whose gap has room for the columns on both sides: probably drawn at the axes.
-void warn_about_faces(const Model& model, std::vector<Warning>& warnings) {
+void warn_about_faces(const Model& model, Warnings& warnings) {
   for (const Link& link : model.links) {
     const Structure &a = model.structures[link.left.structure], &b = model.structures[link.right.structure];
     if (link.left.face || link.right.face || link.gap < narrowest_between_axes || link.gap > widest_gap ||
@@ -259,20 +261,20 @@ void warn_about_faces(const Model& model, std::vector<Warning>& warnings) {
       continue;
     const AxisAdvice advice = advice_on_axes(model, link.left, link.right, side_of(link.direction));
     if (advice.sum() == 0 || link.gap < advice.sum()) continue;
-    warnings.push_back(
-        {"face", fmt::format("link {}: the gap is {}, and the columns reach {} and {} beyond their axes; "
-                             "if the frames are drawn by axes, type "
-                             "{}, which leaves {} between faces",
-                             link.name, format_quantity(link.gap, dimension::length),
-                             format_quantity(advice.halves[0], dimension::length),
-                             format_quantity(advice.halves[1], dimension::length), advice.text,
-                             format_quantity(link.gap - advice.sum(), dimension::length))});
+    warnings.add("face",
+                 "link {}: the gap is {}, and the columns reach {} and {} beyond their axes; "
+                 "if the frames are drawn by axes, type "
+                 "{}, which leaves {} between faces",
+                 link.name, format_quantity(link.gap, dimension::length),
+                 format_quantity(advice.halves[0], dimension::length),
+                 format_quantity(advice.halves[1], dimension::length), advice.text,
+                 format_quantity(link.gap - advice.sum(), dimension::length));
     return;
   }
 }
 
 // Near a joint a column is so stiff that its short end takes almost the entire impact.
-void warn_about_joints(const Model& model, std::vector<Warning>& warnings) {
+void warn_about_joints(const Model& model, Warnings& warnings) {
   const Link* nearest = nullptr;
   const LinkEnd* hit = nullptr;
   int others = -1;
@@ -284,13 +286,13 @@ void warn_about_joints(const Model& model, std::vector<Warning>& warnings) {
     }
   if (!hit) return;
   const auto metres = [](double length) { return format_quantity(length, dimension::length); };
-  warnings.push_back(
-      {"joint", fmt::format("link {}: the column of {} is hit {} from a joint, and it is {} deep{}; if the floors are "
-                            "level, type level_within: "
-                            "{}, or link the floors by their numbers",
-                            nearest->name, model.structures[hit->structure].name, metres(hit->point.to_joint),
-                            metres(hit->point.column_depth), others > 0 ? fmt::format(" (and {} more)", others) : "",
-                            metres(std::ceil(hit->point.to_joint * 100) / 100))});
+  warnings.add("joint",
+               "link {}: the column of {} is hit {} from a joint, and it is {} deep{}; if the floors are "
+               "level, type level_within: "
+               "{}, or link the floors by their numbers",
+               nearest->name, model.structures[hit->structure].name, metres(hit->point.to_joint),
+               metres(hit->point.column_depth), others > 0 ? fmt::format(" (and {} more)", others) : "",
+               metres(std::ceil(hit->point.to_joint * 100) / 100));
 }
 
 // Texts of the warnings that the model does not accept.
@@ -307,7 +309,7 @@ std::vector<std::string> texts(const Model& model, const std::vector<Warning>& w
 std::vector<std::string> implausible(const Model& model) { return implausible(model, model.analysis.tolerance); }
 
 std::vector<std::string> implausible(const Model& model, double tolerance) {
-  std::vector<Warning> warnings = model.read_warnings;
+  Warnings warnings{model.read_warnings};
   for (const Structure& s : model.structures) {
     if (!stands(s)) continue;
     warn_about_period(s, warnings);
@@ -324,16 +326,14 @@ std::vector<std::string> implausible(const Model& model, double tolerance) {
   warn_about_faces(model, warnings);
   warn_about_joints(model, warnings);
   if (tolerance > coarsest_tolerance)
-    warnings.push_back(
-        {"tolerance",
-         fmt::format(
-             "analysis: a tolerance of {:g} allows errors of {:g} % in displacements and forces; 1e-4 is typical",
-             tolerance, 100 * tolerance)});
+    warnings.add("tolerance",
+                 "analysis: a tolerance of {:g} allows errors of {:g} % in displacements and forces; 1e-4 is typical",
+                 tolerance, 100 * tolerance);
   return texts(model, warnings);
 }
 
 std::vector<std::string> implausible(const Model& model, bool moved, std::span<const double> penetrations) {
-  std::vector<Warning> warnings;
+  Warnings warnings;
   if (!moved)
     warnings.push_back({"motion",
                         "nothing moved: the model has no ground motion, no forces and no initial motion; type one of "
@@ -341,17 +341,16 @@ std::vector<std::string> implausible(const Model& model, bool moved, std::span<c
                         "initial_displacement: and initial_velocity:"});
   const auto deepest = std::max_element(penetrations.begin(), penetrations.end());
   if (deepest != penetrations.end() && *deepest > deepest_penetration)
-    warnings.push_back(
-        {"penetration",
-         fmt::format("link {}: the bodies overlap by {}, more than {:g} mm; the contact is too soft; check the unit "
-                     "of its stiffness",
-                     model.links.at(static_cast<std::size_t>(deepest - penetrations.begin())).name,
-                     format_quantity(*deepest, dimension::length), 1e3 * deepest_penetration)});
+    warnings.add("penetration",
+                 "link {}: the bodies overlap by {}, more than {:g} mm; the contact is too soft; check the unit "
+                 "of its stiffness",
+                 model.links.at(static_cast<std::size_t>(deepest - penetrations.begin())).name,
+                 format_quantity(*deepest, dimension::length), 1e3 * deepest_penetration);
   return texts(model, warnings);
 }
 
 std::vector<std::string> implausible_drifts(const Model& model, std::span<const std::vector<double>> drifts) {
-  std::vector<Warning> warnings;
+  Warnings warnings;
   for (std::size_t k = 0; k < drifts.size(); ++k) {
     const Structure& s = model.structures[k];
     // Members in large rotations are expected to drift far.
@@ -362,14 +361,14 @@ std::vector<std::string> implausible_drifts(const Model& model, std::span<const 
       if (drifts[k][i] / heights[i] > drifts[k][worst] / heights[worst]) worst = i;
     if (worst >= std::min(heights.size(), drifts[k].size()) || !(drifts[k][worst] > largest_drift * heights[worst]))
       continue;
-    warnings.push_back(
-        {"drift", fmt::format("structure {}: storey {} drifts by {}, {:.3g} % of its height of {} and above {:g} %, "
-                              "which no building survives; check the "
-                              "units of masses, stiffnesses and ground motion, or type analysis: {{collapse_drift: 10 "
-                              "%}} to end the run there",
-                              s.name, s.floors[worst].label, format_quantity(drifts[k][worst], dimension::length, 4),
-                              100 * drifts[k][worst] / heights[worst],
-                              format_quantity(heights[worst], dimension::length), 100 * largest_drift)});
+    warnings.add("drift",
+                 "structure {}: storey {} drifts by {}, {:.3g} % of its height of {} and above {:g} %, "
+                 "which no building survives; check the "
+                 "units of masses, stiffnesses and ground motion, or type analysis: {{collapse_drift: 10 "
+                 "%}} to end the run there",
+                 s.name, s.floors[worst].label, format_quantity(drifts[k][worst], dimension::length, 4),
+                 100 * drifts[k][worst] / heights[worst], format_quantity(heights[worst], dimension::length),
+                 100 * largest_drift);
   }
   return texts(model, warnings);
 }

@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 
 #include <pounding/core/units.hpp>
+#include <pounding/laws/checks.hpp>
 #include <pounding/structures/make_spring.hpp>
 #include <pounding/structures/structure_damping.hpp>
 
@@ -20,11 +21,6 @@ namespace {
 
 constexpr const char* needs_yielding = "hardening requires yield_force; give both";
 constexpr const char* one_law = "spring defines how the storeys yield; remove yield_force and hardening";
-
-void require_positive(double value, const char* what) {
-  if (!(value > 0) || std::isinf(value))
-    throw std::invalid_argument(std::string(what) + " must be positive and finite");
-}
 
 // Floors of a stick model that move only along x: the unknowns themselves.
 class FloorSurface final : public Surface {
@@ -98,7 +94,7 @@ Structure make_stick(const std::vector<double>& masses, const std::vector<double
 }  // namespace
 
 Structure make_body(const BodyOptions& options) {
-  require_positive(options.mass, "mass");
+  laws::require_positive("mass", options.mass);
   Structure s = make_stick({options.mass}, {}, {});
   s.kind = "body";
   s.damping_note = "none";
@@ -117,12 +113,12 @@ double stiffness_of_period(double mass, double period) {
 }
 
 Structure make_oscillator(const OscillatorOptions& options) {
-  require_positive(options.mass, "mass");
+  laws::require_positive("mass", options.mass);
   if (options.period.has_value() == options.stiffness.has_value())
     throw std::invalid_argument("an oscillator needs exactly one of period and stiffness");
-  if (options.period) require_positive(*options.period, "period");
+  laws::require_positive("period", options.period);
   const double stiffness = options.stiffness ? *options.stiffness : stiffness_of_period(options.mass, *options.period);
-  require_positive(stiffness, "stiffness");
+  laws::require_positive("stiffness", stiffness);
   Structure s = make_stick({options.mass}, {stiffness}, {});
   s.kind = "oscillator";
   if (options.damping_ratio) {
@@ -175,7 +171,7 @@ void require_digits_of_storeys(const std::vector<double>& stiffnesses) {
 Structure make_shear_building(const ShearBuildingOptions& options) {
   if (options.storeys < 1) throw std::invalid_argument("storeys must be at least 1");
   const std::vector<double> masses = options.mass.of_each(options.storeys, "mass");
-  for (const double mass : masses) require_positive(mass, "mass");
+  for (const double mass : masses) laws::require_positive("mass", mass);
   std::optional<YieldingPart> isolators;
   if (options.isolator) isolators = isolators_under(masses, *options.isolator);
   const int above = options.storeys - (isolators ? 1 : 0);
@@ -183,12 +179,12 @@ Structure make_shear_building(const ShearBuildingOptions& options) {
   if (above > 0)
     stiffnesses =
         options.stiffness.of_each(above, isolators ? "stiffness of the storeys above the isolators" : "stiffness");
-  for (const double stiffness : stiffnesses) require_positive(stiffness, "stiffness");
+  for (const double stiffness : stiffnesses) laws::require_positive("stiffness", stiffness);
   require_digits_of_storeys(stiffnesses);
   if (isolators) stiffnesses.insert(stiffnesses.begin(), isolators->stiffness());
   std::vector<double> heights;
   if (!options.height.empty()) heights = options.height.of_each(options.storeys, "height");
-  for (const double height : heights) require_positive(height, "height");
+  for (const double height : heights) laws::require_positive("height", height);
   Structure s = make_stick(masses, stiffnesses, heights);
   s.kind = "shear_building";
   if (isolators) s.yielding.push_back(std::move(*isolators));

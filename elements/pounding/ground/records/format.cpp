@@ -29,14 +29,6 @@ std::string_view without_padding(std::string_view text) {
   return text.substr(0, std::min({text.find(zero, begin), text.find(end_of_file, begin), text.size()}));
 }
 
-/// Line without page breaks and end-of-file marks at its ends, as in printed and joined files.
-std::string_view without_breaks(std::string_view line) {
-  constexpr std::string_view breaks("\f\v\x1A\r");
-  const std::size_t begin = line.find_first_not_of(breaks);
-  if (begin == std::string_view::npos) return {};
-  return line.substr(begin, line.find_last_not_of(breaks) - begin + 1);
-}
-
 }  // namespace
 
 std::span<const Format* const> formats() {
@@ -56,7 +48,8 @@ Lines::Lines(std::string_view text, std::string name) : name_(std::move(name)) {
   const char mark = text.find('\n') == std::string_view::npos ? '\r' : '\n';
   for (std::size_t begin = 0; begin < text.size();) {
     const std::size_t end = std::min(text.find(mark, begin), text.size());
-    const std::string_view line = without_breaks(text.substr(begin, end - begin));
+    // Printed and joined files have page breaks and end-of-file marks at the ends of lines.
+    const std::string_view line = trimmed(text.substr(begin, end - begin), "\f\v\x1A\r");
     if (line.size() > longest_line)
       fail(size(), fmt::format("has {} bytes; a line has at most {}", line.size(), longest_line));
     if (size() == max_lines) fail(size(), fmt::format("too many lines; a record has at most {}", max_lines));
@@ -89,12 +82,6 @@ double Lines::sample(std::size_t i, std::string_view text) const {
   if (std::abs(value) > largest_value)
     fail(i, fmt::format("\"{}\" exceeds the maximum of times and samples ({:g})", excerpt(text), largest_value));
   return value;
-}
-
-std::string_view trimmed(std::string_view text) {
-  const std::size_t begin = text.find_first_not_of(blanks);
-  if (begin == std::string_view::npos) return {};
-  return text.substr(begin, text.find_last_not_of(blanks) - begin + 1);
 }
 
 std::string upper(std::string_view text) {

@@ -13,6 +13,7 @@
 #include <string_view>
 #include <vector>
 
+#include <pounding/core/text.hpp>
 #include <pounding/ground/record.hpp>
 
 namespace pounding::records {
@@ -72,7 +73,6 @@ std::span<const Format* const> formats();
 
 // Text.
 
-std::string_view trimmed(std::string_view text);
 std::string upper(std::string_view text);
 /// Removes blanks at the ends, and reduces several blanks to one.
 std::string single_spaced(std::string_view text);

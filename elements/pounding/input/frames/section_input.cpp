@@ -90,7 +90,7 @@ Material read_material(const Input& node) {
 Section read_section(const Input& node, int dimension) {
   node.only_keys();
 
-  const std::string shape = node.chosen();
+  const std::string shape = node.chosen("rectangle: [0.4 m, 0.6 m], or area: 0.16 m^2 with inertia_y: 2.1e-3 m^4");
   const bool has_shape = shape != "area";
   for (const std::string_view key : numbers)
     if (const auto found = node.find(key); found && has_shape)
