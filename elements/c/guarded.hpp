@@ -36,4 +36,13 @@ inline void require(const void* pointer, const char* name) {
   if (pointer == nullptr) throw std::invalid_argument(std::string(name) + " is a null pointer");
 }
 
+/// Item of a list. Throws std::invalid_argument for an index out of range, with the owner of the list and a noun.
+template <class List>
+const auto& item_at(const List& list, std::size_t index, std::string_view owner, const char* noun) {
+  if (index >= list.size())
+    throw std::invalid_argument(std::string(owner) + " has no " + noun + " with index " + std::to_string(index) +
+                                "; number of these: " + std::to_string(list.size()));
+  return list[index];
+}
+
 }  // namespace pounding::c

@@ -45,6 +45,7 @@ namespace {
 namespace laws = pounding::laws;
 using pounding::ContactPhase;
 using pounding::c::guarded;
+using pounding::c::item_at;
 using pounding::c::require;
 
 static_assert(sizeof(pnd_contact) == PND_CONTACT_DOUBLES * sizeof(double));
@@ -106,12 +107,7 @@ void update(const pnd_law* law, pnd_contact& contact, Change&& change) {
   put(state, contact);
 }
 
-const laws::Entry& entry_at(size_t law) {
-  if (law >= laws::catalogue().size())
-    throw std::invalid_argument("law " + std::to_string(law) +
-                                " is out of range; number of laws: " + std::to_string(laws::catalogue().size()));
-  return laws::catalogue()[law];
-}
+const laws::Entry& entry_at(size_t law) { return item_at(laws::catalogue(), law, "the catalogue", "law"); }
 
 // The texts are string literals, so data() is null-terminated.
 pnd_parameter_info info_of(const laws::ParameterInfo& p) noexcept {
@@ -235,11 +231,7 @@ int pnd_describe_law(size_t law, pnd_law_info* info) {
 int pnd_describe_parameter(size_t law, size_t parameter, pnd_parameter_info* info) {
   return guarded([&] {
     require(info, "info");
-    const std::vector<pnd_parameter_info> list = parameters_of(entry_at(law));
-    if (parameter >= list.size())
-      throw std::invalid_argument(std::string(entry_at(law).name) + " has no parameter with index " +
-                                  std::to_string(parameter) + "; number of parameters: " + std::to_string(list.size()));
-    *info = list[parameter];
+    *info = item_at(parameters_of(entry_at(law)), parameter, entry_at(law).name, "parameter");
   });
 }
 
@@ -247,10 +239,7 @@ int pnd_describe_formula(size_t law, size_t formula, pnd_formula_info* info) {
   return guarded([&] {
     require(info, "info");
     const laws::Entry& e = entry_at(law);
-    if (formula >= e.formulas.size())
-      throw std::invalid_argument(std::string(e.name) + " has no formula with index " + std::to_string(formula) +
-                                  "; number of formulas: " + std::to_string(e.formulas.size()));
-    const laws::Formula& f = e.formulas[formula];
+    const laws::Formula& f = item_at(e.formulas, formula, e.name, "formula");
     *info = {f.name.data(), f.source.data(), f.note.data()};
   });
 }

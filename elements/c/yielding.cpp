@@ -20,6 +20,7 @@ namespace {
 namespace hysteresis = pounding::hysteresis;
 namespace laws = pounding::laws;
 using pounding::c::guarded;
+using pounding::c::item_at;
 using pounding::c::require;
 
 void require_new(bool is_new, std::string_view name) {
@@ -42,11 +43,7 @@ hysteresis::Settings settings(const char* law, const pnd_value* values, size_t c
 }
 
 const hysteresis::Entry& yielding_at(size_t law) {
-  const auto all = hysteresis::catalogue();
-  if (law >= all.size())
-    throw std::invalid_argument("hysteretic law " + std::to_string(law) +
-                                " is out of range; number of laws: " + std::to_string(all.size()));
-  return all[law];
+  return item_at(hysteresis::catalogue(), law, "the catalogue", "hysteretic law");
 }
 
 // Stores a value unless the caller passed a null pointer for the array.
@@ -123,10 +120,7 @@ int pnd_describe_yielding_parameter(size_t law, size_t parameter, pnd_parameter_
   return guarded([&] {
     require(info, "info");
     const hysteresis::Entry& e = yielding_at(law);
-    if (parameter >= e.parameters.size())
-      throw std::invalid_argument(std::string(e.name) + " has no parameter with index " + std::to_string(parameter) +
-                                  "; number of parameters: " + std::to_string(e.parameters.size()));
-    const hysteresis::ParameterInfo& p = e.parameters[parameter];
+    const hysteresis::ParameterInfo& p = item_at(e.parameters, parameter, e.name, "parameter");
     *info = {p.name.data(), p.unit.data(), p.meaning.data(), p.typical,
              p.need == hysteresis::Need::required ? PND_REQUIRED : PND_OPTIONAL};
   });
@@ -136,9 +130,7 @@ int pnd_describe_yielding_choice(size_t law, size_t choice, size_t word, pnd_cho
   return guarded([&] {
     require(info, "info");
     const hysteresis::Entry& e = yielding_at(law);
-    if (choice >= e.choices.size() || word >= e.choices[choice].words.size())
-      throw std::invalid_argument(std::string(e.name) + " has no choice or keyword with these indices");
-    const hysteresis::ChoiceInfo& c = e.choices[choice];
-    *info = {c.name.data(), c.meaning.data(), c.words[word].data(), c.words.size()};
+    const hysteresis::ChoiceInfo& c = item_at(e.choices, choice, e.name, "choice");
+    *info = {c.name.data(), c.meaning.data(), item_at(c.words, word, c.name, "keyword").data(), c.words.size()};
   });
 }

@@ -267,26 +267,33 @@ class Frame {
   std::map<int, Row> follows_;         // displacement -> displacements of its master
 };
 
-/// Cross-sections of the columns or beams of a grid: one for all, one per storey from the ground up, or one per storey
-/// and line.
-class GridSections {
+/// Values of the columns or beams of a grid: one for all, one per storey from the ground up, or one per storey and
+/// line.
+template <class Value>
+class ByStorey {
  public:
-  GridSections() : GridSections(Section{}) {}
-  GridSections(const Section& all) : sections_(1, std::vector<Section>(1, all)) {}
-  GridSections(const std::vector<Section>& by_storey) {
-    for (const Section& section : by_storey) sections_.emplace_back(1, section);
+  ByStorey() : ByStorey(Value{}) {}
+  ByStorey(const Value& all) : values_(1, std::vector<Value>(1, all)) {}
+  ByStorey(const std::vector<Value>& by_storey) {
+    for (const Value& value : by_storey) values_.emplace_back(1, value);
   }
-  GridSections(std::vector<std::vector<Section>> by_storey_and_line) : sections_(std::move(by_storey_and_line)) {}
+  ByStorey(std::vector<std::vector<Value>> by_storey_and_line) : values_(std::move(by_storey_and_line)) {}
 
-  /// Section in a storey (from 1) on a line (from 0).
-  const Section& at(int storey, int line) const;
+  /// Value in a storey (from 1) on a line (from 0).
+  const Value& at(int storey, int line) const {
+    const std::vector<Value>& of_storey = values_[values_.size() == 1 ? 0 : storey - 1];
+    return of_storey[of_storey.size() == 1 ? 0 : line];
+  }
+  /// As given: [storey or 1][line or 1].
+  const std::vector<std::vector<Value>>& values() const { return values_; }
   /// Throws std::invalid_argument for lists whose length is neither one nor the number of storeys and lines.
   void check(int storeys, int lines, const std::string& name) const;
 
  private:
-  std::vector<std::vector<Section>> sections_;  // [storey or 1][line or 1]
+  std::vector<std::vector<Value>> values_;
 };
 
+using GridSections = ByStorey<Section>;
 /// A member that may be subdivided into equal parts, with nodes between them at which it can bend and be hit.
 struct CutMember {
   Section section;
@@ -326,8 +333,7 @@ struct GridFrame {
   BeamMass mass = BeamMass::lumped;  ///< of the members, if the material has a density
   /// [kg] per floor, distributed to the nodes in proportion to their tributary widths; acts in all translations.
   std::vector<double> floor_mass{};
-  /// Vertical load on the beams, positive upwards [N/m]: [storey or 1][line or 1] like their sections; empty for none.
-  std::vector<std::vector<double>> beam_load{};
+  ByStorey<double> beam_load{};  ///< vertical load on the beams, positive upwards [N/m]
   /// True if the beam load is the weight of a mass, which is added at the two nodes of each beam, in all translations.
   bool mass_from_loads = false;
   bool rigid_floors = false;

@@ -64,24 +64,13 @@ double add_grid_member(Frame& frame, const std::string& name, int start, int end
   return length;
 }
 
-// Load on a beam in a storey (from 1) on a line (from 0).
-double load_at(const std::vector<std::vector<double>>& loads, int storey, int line) {
-  if (loads.empty()) return 0;
-  const std::vector<double>& of_storey = loads[loads.size() == 1 ? 0 : storey - 1];
-  return of_storey[of_storey.size() == 1 ? 0 : line];
-}
-
 void check_loads(const GridFrame& grid, int lines) {
-  if (grid.beam_load.size() > 1 && static_cast<int>(grid.beam_load.size()) != grid.storeys)
-    refuse(fmt::format("beam_load: give one value or {}, from the ground up", grid.storeys));
-  for (const std::vector<double>& of_storey : grid.beam_load) {
-    if (of_storey.size() != 1 && static_cast<int>(of_storey.size()) != lines)
-      refuse(fmt::format("beam_load: give one value per storey or {}, from the first line", lines));
+  grid.beam_load.check(grid.storeys, lines, "beam_load");
+  for (const std::vector<double>& of_storey : grid.beam_load.values())
     for (const double load : of_storey)
       if (!std::isfinite(load) || (grid.mass_from_loads && load > 0))
         refuse(fmt::format("beam_load: the load must be finite{}, but {:.4g} kN/m was given",
                            grid.mass_from_loads ? " and act downwards, with a negative sign" : "", load / 1e3));
-  }
 }
 
 }  // namespace
@@ -120,18 +109,17 @@ int GridFrame::floor(int storey) const {
   return node(storeys, bays_x, bays_y) + between + storey;
 }
 
-const Section& GridSections::at(int storey, int line) const {
-  const std::vector<Section>& of_storey = sections_[sections_.size() == 1 ? 0 : storey - 1];
-  return of_storey[of_storey.size() == 1 ? 0 : line];
+template <class Value>
+void ByStorey<Value>::check(int storeys, int lines, const std::string& name) const {
+  if (values_.size() != 1 && static_cast<int>(values_.size()) != storeys)
+    refuse(fmt::format("{}: give one value or {}, from the ground up", name, storeys));
+  for (const std::vector<Value>& of_storey : values_)
+    if (of_storey.size() != 1 && static_cast<int>(of_storey.size()) != lines)
+      refuse(fmt::format("{}: give one value per storey or {}, from the first line", name, lines));
 }
 
-void GridSections::check(int storeys, int lines, const std::string& name) const {
-  if (sections_.size() != 1 && static_cast<int>(sections_.size()) != storeys)
-    refuse(name + ": give one section or " + std::to_string(storeys) + ", from the ground up");
-  for (const std::vector<Section>& of_storey : sections_)
-    if (of_storey.size() != 1 && static_cast<int>(of_storey.size()) != lines)
-      refuse(name + ": give one section per storey or " + std::to_string(lines) + ", from the first line");
-}
+template class ByStorey<Section>;
+template class ByStorey<double>;
 
 std::vector<int> add_member_in_parts(Frame& frame, const std::string& name, int start, int end,
                                      const CutMember& member) {
@@ -228,7 +216,7 @@ GridParts add_grid(FrameModel& model, const GridFrame& grid) {
       const int line = k * (grid.bays_x + 1) + i;
       const std::string place = grid.place(storey, i, k);
       const auto add_beam = [&](const char* kind, int to) {
-        const double load = load_at(grid.beam_load, storey, line);
+        const double load = grid.beam_load.at(storey, line);
         const double length = add_grid_member(frame, kind + place, node, to, grid.beam.at(storey, line), load, grid);
         if (!grid.mass_from_loads) return;
         const double mass = -load * length / standard_gravity;

@@ -169,26 +169,24 @@ double GroundMotion::sampled(const Samples& samples, double t) const noexcept {
   return a[i] * (1 - part) + a[i + 1] * part;
 }
 
-double GroundMotion::acceleration(double t) const noexcept {
+// `lasts` is true for a time between the beginning and the end of the motion.
+template <class Lasts>
+double GroundMotion::acceleration_if(const Lasts& lasts, double t) const noexcept {
   return std::visit(
       Overloaded{[](const Still&) { return 0.0; },
-                 [t](const auto& closed) { return t >= closed.start && t < end_of(closed) ? inside(closed, t) : 0; },
-                 [this, t](const SharedSamples& shared) {
-                   const std::vector<double>& times = shared->times;
-                   return t >= times.front() && t < times.back() ? sampled(*shared, t) : 0;
+                 [&](const auto& closed) { return lasts(closed.start, end_of(closed)) ? inside(closed, t) : 0; },
+                 [&](const SharedSamples& shared) {
+                   return lasts(shared->times.front(), shared->times.back()) ? sampled(*shared, t) : 0;
                  }},
       motion_);
 }
 
+double GroundMotion::acceleration(double t) const noexcept {
+  return acceleration_if([t](double begin, double end) { return t >= begin && t < end; }, t);
+}
+
 double GroundMotion::acceleration_before(double t) const noexcept {
-  return std::visit(
-      Overloaded{[](const Still&) { return 0.0; },
-                 [t](const auto& closed) { return t > closed.start && t <= end_of(closed) ? inside(closed, t) : 0; },
-                 [this, t](const SharedSamples& shared) {
-                   const std::vector<double>& times = shared->times;
-                   return t > times.front() && t <= times.back() ? sampled(*shared, t) : 0;
-                 }},
-      motion_);
+  return acceleration_if([t](double begin, double end) { return t > begin && t <= end; }, t);
 }
 
 // Between samples the acceleration is linear, so the integrals are those at the sample plus a quadratic, or a cubic.

@@ -124,6 +124,8 @@ class GroundMotion {
   void describe(const Closed& motion, std::initializer_list<double> fastest);
   std::size_t interval(const Samples& samples, double t) const noexcept;
   double sampled(const Samples& samples, double t) const noexcept;
+  template <class Lasts>
+  double acceleration_if(const Lasts& lasts, double t) const noexcept;
   double velocity_from_rest(double t) const noexcept;
   double displacement_from_rest(double t) const noexcept;
 

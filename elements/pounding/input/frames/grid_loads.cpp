@@ -19,13 +19,11 @@ int lines_of_beams(const GridFrame& grid) {
 
 // Adds `factor` times the load under a key to every beam.
 void add_loads(const Input& node, double factor, const GridFrame& grid, Loads& sum) {
-  const Loads read = read_by_storey(node, grid.storeys, lines_of_beams(grid), "load", {"-25 kN/m", "-20 kN/m"},
-                                    [](const Input& each) { return each.as_quantity(); });
-  for (std::size_t storey = 0; storey < sum.size(); ++storey) {
-    const std::vector<double>& row = read[read.size() == 1 ? 0 : storey];
-    for (std::size_t line = 0; line < sum[storey].size(); ++line)
-      sum[storey][line] += factor * row[row.size() == 1 ? 0 : line];
-  }
+  const int lines = lines_of_beams(grid);
+  const ByStorey<double> read = read_by_storey(node, grid.storeys, lines, "load", {"-25 kN/m", "-20 kN/m"},
+                                               [](const Input& each) { return each.as_quantity(); });
+  for (int storey = 0; storey < grid.storeys; ++storey)
+    for (int line = 0; line < lines; ++line) sum[storey][line] += factor * read.at(storey + 1, line);
 }
 
 }  // namespace
@@ -40,21 +38,22 @@ void read_loads(const Input& node, GridFrame& grid) {
   if (mass && !load && !dead && !live)
     mass->fail_at_key("needs a load on the beams; type beams_load: -25 kN/m, or leave it out");
   if (!load && !dead && !live) return;
-  grid.beam_load.assign(grid.storeys, std::vector<double>(lines_of_beams(grid), 0.0));
-  if (load) add_loads(*load, 1, grid, grid.beam_load);
+  Loads sum(grid.storeys, std::vector<double>(lines_of_beams(grid), 0.0));
+  if (load) add_loads(*load, 1, grid, sum);
   if (combination) combination->only_keys();
-  if (dead) add_loads(*dead, combination ? combination->quantity("dead") : 1, grid, grid.beam_load);
+  if (dead) add_loads(*dead, combination ? combination->quantity("dead") : 1, grid, sum);
   if (live) {
     if (!combination || !combination->has("live"))
       live->fail_at_key("needs its factor during an earthquake; type combination: {dead: 1, live: 0.3}");
-    add_loads(*live, combination->quantity("live"), grid, grid.beam_load);
+    add_loads(*live, combination->quantity("live"), grid, sum);
   }
   if (mass) grid.mass_from_loads = mass->as_bool();
-  for (const std::vector<double>& row : grid.beam_load)
+  for (const std::vector<double>& row : sum)
     for (const double each : row)
       if (grid.mass_from_loads && each > 0)
         mass->fail(
             fmt::format("needs loads that act downwards, with a negative sign; {:.4g} kN/m was read", each / 1e3));
+  grid.beam_load = std::move(sum);
 }
 
 }  // namespace pounding
