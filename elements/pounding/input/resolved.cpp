@@ -14,6 +14,7 @@
 #include <pounding/hysteresis/all.hpp>
 #include <pounding/model/modes.hpp>
 #include <pounding/model/reducible.hpp>
+#include <pounding/reports/assumptions.hpp>
 #include <pounding/reports/describe.hpp>
 #include <pounding/structures/isolators.hpp>
 
@@ -210,24 +211,13 @@ void add_friction(Resolved& to, const Link& link) {
 }
 
 Resolved resolved(const Model& model, const Link& link) {
-  Resolved one{
-      {"name", link.name}, {"between", {end_name(model, link.left), end_name(model, link.right)}}, {"gap", link.gap}};
+  Resolved one = link_json(model, link);
   if (link.left.face || link.right.face) one["face"] = {link.left.face.value_or(0), link.right.face.value_or(0)};
   if (!link.left.face_column.empty() || !link.right.face_column.empty())
     one["face_from"] = {face_source(link.left), face_source(link.right)};
-  if (link.preload) one["preload"] = true;
   if (link.seat) one["seat"] = *link.seat;
-  one["law"] = link.law;
   if (!link.formula.empty()) one["formula"] = link.formula;
-  one["reduced_mass"] = link.reduced_mass;
-  one["reduced_mass_from"] = link.reduced_mass_given ? "the input" : "the masses of the two ends";
-  if (!link.stiffness_from.empty()) one["stiffness_from"] = link.stiffness_from;
   if (link.friction > 0) add_friction(one, link);
-  one["parameters"] = one["units"] = Resolved::object();
-  for (const laws::ResolvedValue& value : link.parameters) {
-    one["parameters"][value.name] = value.value;
-    if (!value.unit.empty()) one["units"][value.name] = value.unit;
-  }
   return one;
 }
 

@@ -59,6 +59,8 @@ AssumptionsJson structure_json(const Structure& s) {
   return one;
 }
 
+}  // namespace
+
 AssumptionsJson link_json(const Model& model, const Link& link) {
   AssumptionsJson one{{"name", link.name},
                       {"between", {end_name(model, link.left), end_name(model, link.right)}},
@@ -68,7 +70,7 @@ AssumptionsJson link_json(const Model& model, const Link& link) {
   if (link.friction > 0) one["friction"] = link.friction;
   if (link.reduced_mass > 0) {
     one["reduced_mass"] = link.reduced_mass;
-    one["reduced_mass_from"] = link.reduced_mass_given ? "the input" : "the masses of the two floors";
+    one["reduced_mass_from"] = link.reduced_mass_given ? "the input" : "the masses of the two ends";
   }
   one["stiffness_from"] = link.stiffness_from.empty() ? "the input" : link.stiffness_from;
   AssumptionsJson parameters = AssumptionsJson::object(), units = AssumptionsJson::object();
@@ -80,8 +82,6 @@ AssumptionsJson link_json(const Model& model, const Link& link) {
   one["units"] = std::move(units);
   return one;
 }
-
-}  // namespace
 
 std::string assumptions_json(const Model& model) {
   AssumptionsJson all{{"title", model.title}};

@@ -3,6 +3,8 @@
 
 #include <string>
 
+#include <nlohmann/json_fwd.hpp>
+
 #include <pounding/model/model.hpp>
 
 namespace pounding {
@@ -10,5 +12,8 @@ namespace pounding {
 /// JSON object in SI units of a complete model: `title`, `project`, `sha256` of the input, `ground`, `structures` by
 /// name, `links` and `devices`.
 std::string assumptions_json(const Model& model);
+
+/// One link of it: ends, law, gap, reduced mass, parameters and their units.
+nlohmann::ordered_json link_json(const Model& model, const Link& link);
 
 }  // namespace pounding
