@@ -293,7 +293,7 @@ class ByStorey {
   std::vector<std::vector<Value>> values_;
 };
 
-using GridSections = ByStorey<Section>;
+using GridSections = ByStorey<Section>;  ///< cross-sections of a grid
 /// A member that may be subdivided into equal parts, with nodes between them at which it can bend and be hit.
 struct CutMember {
   Section section;

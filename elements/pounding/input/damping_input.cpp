@@ -63,15 +63,11 @@ Damping read_rayleigh(const Input& node, const Structure& s, const std::optional
 
 Damping read_proportional(const Input& node, const Structure& s, To to, const std::optional<DampedStiffness>& of) {
   node.only_keys();
-  const std::string_view key = to == To::mass ? "alpha" : "beta";
-  if (const auto factor = node.find(key)) {
-    refuse_next_to_factors(node, key);
-    const double value = factor->as_quantity();
+  if (const std::string factor = node.chosen(); factor != "ratio") {
+    refuse_next_to_factors(node, factor);
+    const double value = node.quantity(factor);
     return Damping(to == To::mass ? RayleighFactors{.alpha = value} : RayleighFactors{.beta = value}, of);
   }
-  if (!node.has("ratio"))
-    node.fail(fmt::format("the damping is missing; type {{ratio: 5 %, mode: 1}}, or {{{}}}",
-                          to == To::mass ? "alpha: 0.6" : "beta: 0.004"));
   ProportionalDamping damping{.to = to, .ratio = node.quantity("ratio"), .period = node.find_quantity("period")};
   if (const auto mode = node.find("mode")) {
     if (damping.period) mode->fail_at_key("give the mode or the period, not both");

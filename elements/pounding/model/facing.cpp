@@ -34,8 +34,7 @@ std::vector<int> level_floors(const Structure& left, const Structure& right, std
     for (std::size_t j = 0; j < right.floors.size(); ++j)
       if (const Floor &a = left.floors[i], &b = right.floors[j]; are_level(a, b, level_within))
         candidates.push_back({std::abs(*a.elevation - *b.elevation), static_cast<int>(i), static_cast<int>(j)});
-  std::stable_sort(candidates.begin(), candidates.end(),
-                   [](const Candidate& a, const Candidate& b) { return a.apart < b.apart; });
+  std::ranges::stable_sort(candidates, {}, &Candidate::apart);
   std::vector<int> partner(left.floors.size(), -1);
   std::vector<bool> taken(right.floors.size(), false);
   for (const Candidate& each : candidates)
@@ -130,8 +129,7 @@ std::vector<LinkPair> facing_floors(FacingFloors choice, int a, int b, const Str
     refuse(ModelOption::between,
            fmt::format("no floor of {} is level with one of {}; type floors: any to let floors hit the columns",
                        left.name, right.name));
-  std::stable_sort(pairs.begin(), pairs.end(),
-                   [](const Placed& x, const Placed& y) { return x.elevation < y.elevation; });
+  std::ranges::stable_sort(pairs, {}, &Placed::elevation);
   std::vector<LinkPair> sorted;
   for (Placed& placed : pairs) sorted.push_back(std::move(placed.pair));
   return sorted;
@@ -245,8 +243,7 @@ std::vector<LinkPair> pairs_of(const Model& model, const ContactLocation& left, 
   if (floors) {
     const auto is_named = [](const PairEnd& end) { return end.floor || end.elevation || !end.node.empty(); };
     if (is_named(first) || is_named(second))
-      throw ModelError(ModelOption::floors, "links all floors, but \"between\" names one; keep one of the two")
-          .as_idle();
+      refuse_idle(ModelOption::floors, "links all floors, but \"between\" names one; keep one of the two");
     return facing_floors(*floors, left.structure, right.structure, a, b, level_within);
   }
   complete(first, a, ModelOption::left);
