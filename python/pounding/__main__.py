@@ -22,22 +22,18 @@ STUDIES = ("study", "suite", "separation", "screen")
 def main(arguments: list[str] | None = None) -> int:
     """Replaces this process by the program with these arguments, by default those of the command line.
 
-    Without a program, runs the Python command. Returns its exit code, or 2 after a message."""
+    Without a program, runs the Python command. Returns its exit code, or 2 after a message. Raises InputError,
+    OSError."""
     leave_working_folder_out()
     arguments = sys.argv[1:] if arguments is None else arguments
     if arguments and arguments[0] in STUDIES:
         return int(importlib.import_module("pounding._studies.command").main(arguments))
     if arguments and arguments[0] in ("demo", "lessons"):
         from pounding import _demo as demo
-        from pounding.errors import InputError
 
-        try:
-            if arguments[0] == "lessons":
-                return demo.copy_lessons(arguments[1:])
-            arguments = demo.demo_words(arguments[1:])
-        except InputError as error:
-            print(f"pounding: error: {error}", file=sys.stderr)
-            return 2
+        if arguments[0] == "lessons":
+            return demo.copy_lessons(arguments[1:])
+        arguments = demo.demo_words(arguments[1:])
     if PROGRAM.is_file():
         # Pictures are drawn by this Python, which has the package.
         os.environ.setdefault("POUNDING_PYTHON", sys.executable)

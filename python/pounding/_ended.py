@@ -88,6 +88,7 @@ def _ended(main: Callable[[], int]) -> tuple[int, str]:
     except KeyboardInterrupt:
         return 3, "stopped"
     except OSError as error:
-        return 2, str(error)
+        known = error.filename is not None and error.strerror
+        return 2, f"{error.filename}: {error.strerror}" if known else str(error)
     except Exception as error:
         return 3, f"internal error: {type(error).__name__}: {error}. Please report it with what you typed"

@@ -19,14 +19,12 @@ from pathlib import Path
 import h5py
 import numpy as np
 
-from pounding._checked_file import NotResults
 from pounding._ended import exit_code
-from pounding._outputs import Kind, cannot_read, output_for, replaced, tell
+from pounding._outputs import Kind, output_for, replaced, tell
 from pounding._pictures.geometry import LineModel, displaced_at, node_displacements
 from pounding._pictures.scene import Scene
 from pounding._pictures.style import BadRequest
 from pounding._texts import text
-from pounding.errors import InputError
 from pounding.results import RunData
 
 #: Attribute that identifies the data of an earlier export.
@@ -195,27 +193,15 @@ def _numbers(values: Iterable[int]) -> str:
 
 
 def main(arguments: list[str] | None = None) -> int:
-    """Command line. Returns 0, or 2 after a message if the results cannot be read or the export cannot be written."""
+    """Command line: writes the export. Raises InputError, OSError."""
     parser = argparse.ArgumentParser(
         prog="python3 -m pounding._export", description="Write the results of a run for ParaView."
     )
     parser.add_argument("results", help="file that `pounding run` wrote")
     parser.add_argument("-o", "--output", help="file to write: .xdmf (default: RESULTS.xdmf in the current folder)")
     options = parser.parse_args(arguments)
-    try:
-        run = RunData.read(options.results)
-    except (OSError, NotResults) as error:
-        print(cannot_read(options.results, error), file=sys.stderr)
-        return 2
     output = output_for(options.results, options.output, ".xdmf")
-    try:
-        tell("export", output, export(options.results, run, output))
-    except InputError as error:
-        print(error, file=sys.stderr)
-        return 2
-    except OSError as error:
-        print(f"cannot write {output}: {error}", file=sys.stderr)
-        return 2
+    tell("export", output, export(options.results, RunData.read(options.results), output))
     return 0
 
 

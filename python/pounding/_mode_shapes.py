@@ -15,8 +15,6 @@ up.
 
 from __future__ import annotations
 
-import argparse
-import json
 import math
 import sys
 from collections.abc import Sequence
@@ -30,9 +28,8 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator
 
 from pounding._ended import exit_code
-from pounding._outputs import cannot_read
 from pounding._pictures.drawing import project
-from pounding._pictures.style import QUIET, BadRequest, picture, structure_colour, write_picture
+from pounding._pictures.style import QUIET, BadRequest, draw_object, picture, structure_colour
 
 #: Maximum number of modes of one structure in a picture.
 MOST = 5
@@ -177,26 +174,12 @@ def _words(mode: DrawnMode) -> str:
 
 
 def main(arguments: list[str] | None = None) -> int:
-    """Command line. Returns 0, or 2 after a message if the modes cannot be read or the picture cannot be written."""
-    parser = argparse.ArgumentParser(prog="python3 -m pounding._mode_shapes", description="Draw mode shapes.")
-    parser.add_argument("modes", help="file with the JSON object; - for standard input")
-    parser.add_argument("-o", "--output", required=True, help="picture to write: .png, .pdf or .svg")
-    parser.add_argument("--title", default="Mode shapes", help="title of the picture")
-    options = parser.parse_args(arguments)
-    try:
-        if options.modes == "-":
-            modes = json.load(sys.stdin)
-        else:
-            with open(options.modes, encoding="utf-8") as file:
-                modes = json.load(file)
-        figure = plot_modes(read_modes(modes), options.title)
-    except BadRequest as error:
-        print(error, file=sys.stderr)
-        return 2
-    except (OSError, ValueError) as error:
-        print(cannot_read(options.modes, error), file=sys.stderr)
-        return 2
-    return write_picture(figure, options.output)
+    """Command line: draws mode shapes."""
+
+    def draw(data: Any, title: str | None) -> Figure:
+        return plot_modes(read_modes(data), title or "Mode shapes")
+
+    return draw_object("_mode_shapes", "Draw mode shapes.", draw, arguments)
 
 
 if __name__ == "__main__":

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import contextlib
 import fcntl
+import json
 import os
 import stat
 import struct
@@ -12,7 +13,7 @@ from contextlib import contextmanager
 from dataclasses import dataclass
 from os import PathLike
 from pathlib import Path
-from typing import NoReturn
+from typing import Any, NoReturn
 
 from pounding.errors import InputError
 
@@ -124,7 +125,7 @@ def replaced(path: File, kind: Kind, inputs: Iterable[File] = ()) -> Iterator[Pa
         _keep_mode(place, temporary)
         os.replace(temporary, place)
     except OSError as error:
-        if error.filename in (temporary, str(temporary)):
+        if error.filename in (None, temporary, str(temporary)):
             error.filename = os.fsdecode(path)
         raise
     finally:
@@ -211,11 +212,12 @@ def output_for(results: File, given: str | None, ending: str) -> Path:
     return Path(given) if given else Path(Path(results).stem + ending)
 
 
-def cannot_read(file: File, error: Exception) -> str:
-    """Message for an unreadable file, with its name once."""
-    text = getattr(error, "strerror", None) or str(error)
-    names_it = text.startswith((f"{file}: ", f"{file} ")) or text.endswith(f" {file}")
-    return text if names_it else f"cannot read {file}: {text}"
+def read_object(file: File) -> Any:
+    """The JSON object in a file. Raises InputError if it is not JSON, OSError."""
+    try:
+        return json.loads(Path(file).read_text(encoding="utf-8"))
+    except ValueError as error:
+        raise InputError(f"{os.fsdecode(file)} is not JSON: {error}") from error
 
 
 def tell(kind: str, *files: File) -> None:

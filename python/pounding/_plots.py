@@ -1,8 +1,7 @@
 """Pictures of a run or a pushover: `python3 -m pounding._plots RESULTS.h5 [-o OUT.png] [--title TEXT]`.
 
-`standard_figure` is the complete picture; each function `draw_...` draws one panel on given axes, for notebooks and
-papers. Lengths are in mm, forces and energies in a unit that suits their size. `--picture` selects other pictures. A
-pushover has one picture, its curve."""
+`--picture` selects the picture of a run, by default its histories and impacts. A pushover has one picture, its
+curve."""
 
 from __future__ import annotations
 
@@ -11,44 +10,13 @@ import sys
 
 from matplotlib.figure import Figure
 
-from pounding._checked_file import HoldsPushover, NotResults
+from pounding._checked_file import HoldsPushover
 from pounding._ended import exit_code
-from pounding._outputs import cannot_read, output_for
-from pounding._pictures.displacements import draw_displacements
+from pounding._outputs import output_for
 from pounding._pictures.figures import PANELS, WHOLE, figure
-from pounding._pictures.hinge_map import hinges_figure
-from pounding._pictures.histories import draw_balance_error, draw_energies, draw_forces, draw_ground, draw_openings
-from pounding._pictures.loops import draw_loops, draw_restitution, draw_strongest_loop
-from pounding._pictures.model_picture import model_figure
-from pounding._pictures.panels import label_time
-from pounding._pictures.plan_map import plan_figure
-from pounding._pictures.profiles import profiles_figure
-from pounding._pictures.run_picture import standard_figure
-from pounding._pictures.spring_loops import loops_figure
 from pounding._pictures.style import BadRequest, write_picture
 from pounding._pushover_curve import read_pushover
-from pounding.errors import InputError
 from pounding.results import RunData
-
-__all__ = [
-    "draw_balance_error",
-    "draw_displacements",
-    "draw_energies",
-    "draw_forces",
-    "draw_ground",
-    "draw_loops",
-    "draw_openings",
-    "draw_restitution",
-    "draw_strongest_loop",
-    "hinges_figure",
-    "label_time",
-    "loops_figure",
-    "main",
-    "model_figure",
-    "plan_figure",
-    "profiles_figure",
-    "standard_figure",
-]
 
 
 def _pushover(options: argparse.Namespace) -> Figure:
@@ -67,8 +35,7 @@ def _floor_choice(text: str) -> dict[str, str]:
 
 
 def main(arguments: list[str] | None = None) -> int:
-    """Command line. Returns 0, or 2 after a message if the results cannot be read or the picture cannot be
-    written."""
+    """Command line: writes the picture. Raises InputError, OSError."""
     parser = argparse.ArgumentParser(prog="python3 -m pounding._plots", description="Draw the results of a run.")
     parser.add_argument("results", help="file that `pounding run` or `pounding pushover` wrote")
     parser.add_argument(
@@ -92,24 +59,14 @@ def main(arguments: list[str] | None = None) -> int:
     parser.add_argument("--compare", action="store_true", help="also draw the run without links, dashed")
     options = parser.parse_args(arguments)
     if options.floors and options.picture != "run":
-        print(f"--floors belongs to --picture run; --picture {options.picture} shows every floor", file=sys.stderr)
-        return 2
+        raise BadRequest(f"--floors belongs to --picture run; --picture {options.picture} shows every floor")
     try:
-        try:
-            run = RunData.read(options.results)
-        except HoldsPushover:
-            return write_picture(_pushover(options), output_for(options.results, options.output, ".png"))
-        picture = figure(run, options.picture, options.title, compare=options.compare or None, floors=options.floors)
-    except (OSError, NotResults) as error:
-        print(cannot_read(options.results, error), file=sys.stderr)
-        return 2
-    except InputError as error:
-        print(error, file=sys.stderr)
-        return 2
-    output = output_for(
-        options.results, options.output, ".png" if options.picture == "run" else f"-{options.picture}.png"
-    )
-    return write_picture(picture, output)
+        run = RunData.read(options.results)
+    except HoldsPushover:
+        return write_picture(_pushover(options), output_for(options.results, options.output, ".png"))
+    picture = figure(run, options.picture, options.title, compare=options.compare or None, floors=options.floors)
+    ending = ".png" if options.picture == "run" else f"-{options.picture}.png"
+    return write_picture(picture, output_for(options.results, options.output, ending))
 
 
 if __name__ == "__main__":

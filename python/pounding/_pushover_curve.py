@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-import argparse
 import json
 import sys
 import textwrap
@@ -342,25 +341,14 @@ def _is_near(axes: Axes, one: tuple[float, float], other: tuple[float, float]) -
 
 
 def main(arguments: list[str] | None = None) -> int:
-    """Command line. Returns 0, or 2 after a message if the curve cannot be read or the picture cannot be written."""
-    from pounding._pictures.style import write_picture
+    """Command line: draws the curve of a pushover."""
+    from pounding._pictures.style import draw_object
 
-    parser = argparse.ArgumentParser(
-        prog="python3 -m pounding._pushover_curve", description="Draw the curve of a pushover."
-    )
-    parser.add_argument("curve", help="file with the JSON object")
-    parser.add_argument("-o", "--output", required=True, help="picture to write: .png, .pdf or .svg")
-    parser.add_argument("--title", help="title of the picture")
-    options = parser.parse_args(arguments)
-    try:
-        with open(options.curve, encoding="utf-8") as file:
-            found = Pushover.from_json(json.load(file))
-        return write_picture(
-            found.plot(options.title and f"{options.title}: pushover of {found.structure}"), options.output
-        )
-    except (InputError, OSError, ValueError) as error:
-        print(f"cannot draw {options.curve}: {error}", file=sys.stderr)
-        return 2
+    def draw(data: Any, title: str | None) -> Figure:
+        found = Pushover.from_json(data)
+        return found.plot(title and f"{title}: pushover of {found.structure}")
+
+    return draw_object("_pushover_curve", "Draw the curve of a pushover.", draw, arguments)
 
 
 if __name__ == "__main__":

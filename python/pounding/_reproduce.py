@@ -5,7 +5,6 @@ sets equations, tables and verdicts. The object: {"items": [{name, title, sectio
 matrices, figures, tables, verdicts}]}, see lib/reproduce/report.hpp."""
 
 import argparse
-import json
 import re
 import sys
 from pathlib import Path
@@ -17,11 +16,10 @@ from matplotlib.figure import Figure
 from matplotlib.transforms import ScaledTranslation
 
 from pounding._ended import exit_code
-from pounding._outputs import Kind, cannot_read, replaced
+from pounding._outputs import Kind, read_object, replaced
 from pounding._paper import page
 from pounding._paper.mathematics import data_uri, svg_of
 from pounding._pictures.style import BLUE, GREEN, ORANGE, PURPLE, SKY, STYLE, VERMILION, DrawnOnce
-from pounding.errors import InputError
 
 COLOURS = (BLUE, VERMILION, GREEN, ORANGE, PURPLE, SKY, "0.45", "#8C6D31", "0.7")
 #: The report may replace an earlier one.
@@ -126,28 +124,16 @@ def build(report: dict[str, Any], directory: Path) -> str:
 
 
 def main(arguments: list[str] | None = None) -> int:
-    """Command line. Returns 0, or 2 after a message if the data cannot be read or the page cannot be written."""
+    """Command line: writes the page. Raises InputError, OSError."""
     parser = argparse.ArgumentParser(
         prog="python3 -m pounding._reproduce", description="Set the report of a reproduction."
     )
     parser.add_argument("report", help="report.json that `pounding reproduce` wrote")
     parser.add_argument("-o", "--output", required=True, help="page to write; figures are written to the same folder")
     options = parser.parse_args(arguments)
-    try:
-        report = json.loads(Path(options.report).read_text(encoding="utf-8"))
-    except (OSError, ValueError) as error:
-        print(cannot_read(options.report, error), file=sys.stderr)
-        return 2
-    output = Path(options.output)
-    try:
-        with replaced(output, PAGE) as temporary:
-            temporary.write_text(build(report, output.parent), encoding="utf-8")
-    except InputError as error:
-        print(error, file=sys.stderr)
-        return 2
-    except OSError as error:
-        print(f"cannot write {options.output}: {error}", file=sys.stderr)
-        return 2
+    report, output = read_object(options.report), Path(options.output)
+    with replaced(output, PAGE) as temporary:
+        temporary.write_text(build(report, output.parent), encoding="utf-8")
     return 0
 
 

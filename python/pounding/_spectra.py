@@ -3,8 +3,6 @@ OUT.png`."""
 
 from __future__ import annotations
 
-import argparse
-import json
 import sys
 import warnings
 from collections.abc import Sequence
@@ -244,21 +242,14 @@ def read_spectra(data: dict[str, Any]) -> tuple[str, list[Spectrum]]:
 
 
 def main(arguments: list[str] | None = None) -> int:
-    """Command line. Returns 0, or 2 after a message if the spectra cannot be read or the picture cannot be
-    written."""
-    from pounding._pictures.style import write_picture
+    """Command line: draws response spectra."""
+    from pounding._pictures.style import draw_object
 
-    parser = argparse.ArgumentParser(prog="python3 -m pounding._spectra", description="Draw response spectra.")
-    parser.add_argument("spectra", help="file with the JSON object")
-    parser.add_argument("-o", "--output", required=True, help="picture to write: .png, .pdf or .svg")
-    options = parser.parse_args(arguments)
-    try:
-        with open(options.spectra, encoding="utf-8") as file:
-            title, spectra = read_spectra(json.load(file))
-        return write_picture(spectra_figure(spectra, title), options.output)
-    except (InputError, OSError, ValueError) as error:
-        print(f"cannot draw {options.spectra}: {error}", file=sys.stderr)
-        return 2
+    def draw(data: Any, title: str | None) -> Figure:
+        own, spectra = read_spectra(data)
+        return spectra_figure(spectra, own if title is None else title)
+
+    return draw_object("_spectra", "Draw response spectra.", draw, arguments)
 
 
 if __name__ == "__main__":

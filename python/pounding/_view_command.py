@@ -7,18 +7,16 @@ import sys
 from pathlib import Path
 
 from pounding._arguments import whole
-from pounding._checked_file import HoldsPushover, NotResults
 from pounding._ended import exit_code
-from pounding._outputs import cannot_read, output_for, tell
+from pounding._outputs import output_for, tell
 from pounding._pictures.style import BadRequest
 from pounding._runs import Run
-from pounding.errors import InputError
 from pounding.models import Model
 from pounding.view import View, check_output
 
 
 def main(arguments: list[str] | None = None) -> int:
-    """Command line. Returns 0, or 2 after a message if the file cannot be read or the view cannot be written."""
+    """Command line: writes the view. Raises InputError, OSError, ImportError without plotly."""
     parser = argparse.ArgumentParser(
         prog="pounding view", description="Interactive view of a run or a model: one HTML file."
     )
@@ -30,22 +28,8 @@ def main(arguments: list[str] | None = None) -> int:
     parser.add_argument("--title", help="title instead of that of the run")
     options = parser.parse_args(arguments)
     output = output_for(options.file, options.output, ".html")
-    try:
-        check_output(output)
-        view = _view(options)
-        view.save(output)
-    except HoldsPushover:
-        print(
-            f"pounding: {options.file} is a pushover, which has no view; type pounding plot for its curve",
-            file=sys.stderr,
-        )
-        return 2
-    except (InputError, ImportError) as error:
-        print(f"pounding: {error}", file=sys.stderr)
-        return 2
-    except (OSError, NotResults) as error:
-        print(f"pounding: {cannot_read(options.file, error)}", file=sys.stderr)
-        return 2
+    check_output(output)
+    _view(options).save(output)
     tell("view", output)
     return 0
 

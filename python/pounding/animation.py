@@ -28,14 +28,12 @@ from matplotlib.figure import Figure
 from PIL import Image
 
 from pounding import _printing as printing
-from pounding._checked_file import NotResults
 from pounding._ended import exit_code
-from pounding._outputs import PICTURE, cannot_read, destination, output_for, replaced, tell
+from pounding._outputs import PICTURE, destination, output_for, replaced, tell
 from pounding._pictures.drawing import Drawing, are_many, draw_ground, frame_axes, hide_x, label_axes
 from pounding._pictures.panels import legend_below
 from pounding._pictures.scene import Motion, Scene
 from pounding._pictures.style import STYLE, TIME_UNITS, VERMILION, BadRequest, head, largest
-from pounding.errors import InputError
 from pounding.results import RunData
 
 __all__ = ["Film", "animate", "save"]
@@ -345,8 +343,7 @@ def _progress(number: int | None) -> Progress | None:
 
 
 def main(arguments: list[str] | None = None) -> int:
-    """Command line. Returns 0, or 2 after a message if the results cannot be read or the animation cannot be
-    written."""
+    """Command line: writes the animation. Raises InputError, OSError."""
     parser = argparse.ArgumentParser(prog="python3 -m pounding.animation", description="Animate the results of a run.")
     parser.add_argument("results", help="file that `pounding run` wrote")
     parser.add_argument(
@@ -362,24 +359,10 @@ def main(arguments: list[str] | None = None) -> int:
     parser.add_argument("--progress-to", type=int, help="number of an open file for a progress line")
     options = parser.parse_args(arguments)
     output = output_for(options.results, options.output, ".gif")
-    try:
-        check_output(output)
-        run = RunData.read(options.results)
-        film = animate(run, frame_times(run, options.frames, options.start, options.end), options.scale, options.title)
-    except (OSError, NotResults) as error:
-        print(cannot_read(options.results, error), file=sys.stderr)
-        return 2
-    except InputError as error:
-        print(error, file=sys.stderr)
-        return 2
-    try:
-        save(film, output, _progress(options.progress_to))
-    except InputError as error:
-        print(error, file=sys.stderr)
-        return 2
-    except (OSError, ValueError) as error:
-        print(f"cannot write {output}: {error}", file=sys.stderr)
-        return 2
+    check_output(output)
+    run = RunData.read(options.results)
+    film = animate(run, frame_times(run, options.frames, options.start, options.end), options.scale, options.title)
+    save(film, output, _progress(options.progress_to))
     if output.suffix == ".png":
         tell("frames", f"{_frame_path(output, 1, film.frames)} to {_frame_path(output, film.frames, film.frames).name}")
     else:

@@ -185,7 +185,9 @@ class RunData(printing.ReportLines, lines=printing.run):
     def _of(cls: type[Contents], file: h5py.File, name: str, source: Path | bytes) -> Contents:
         data = Data(file)
         if "pushover" in data and "structures" not in data:
-            raise HoldsPushover(f"{name} holds a pushover and no run; pounding.read_pushover reads it")
+            raise HoldsPushover(
+                f"{name} holds a pushover and no run; draw it by pounding plot, or read it by pounding.read_pushover"
+            )
         given: dict[str, Any] = {"source": source, "header": _header(source)}
         # An unchecked file may lack datasets or have other types.
         try:

@@ -13,13 +13,13 @@ import numpy as np
 from matplotlib.collections import PolyCollection
 
 import frame_samples
-from pounding import _plots as plots
 from pounding.animation import animate, frame_times
 from pounding._pictures import figures
 from pounding._pictures.geometry import outline
 from pounding._pictures.model_picture import model_figure
 from pounding._pictures.plan_map import contacts
 from pounding._pictures.profiles import profiles_figure
+from pounding._pictures.run_picture import standard_figure
 from pounding._runs import read
 from pounding._pictures.scene import Scene
 from pounding._pictures.style import BadRequest, structure_colour
@@ -57,7 +57,7 @@ class FramePictures(unittest.TestCase):
 
     def test_every_picture_of_every_run_is_drawn(self):
         for kind, run in self.runs.items():
-            for draw in (model_figure, profiles_figure, plots.standard_figure):
+            for draw in (model_figure, profiles_figure, standard_figure):
                 with self.subTest(f"{draw.__name__} {kind}"):
                     picture = io.BytesIO()
                     draw(run).savefig(picture, dpi=40)
@@ -178,7 +178,7 @@ class FramePictures(unittest.TestCase):
 
     def test_fastest_impact_lies_inside_the_axes(self):
         run = self.runs["plane"]
-        axes = next(a for a in plots.standard_figure(run).axes if "Restitution" in a.get_title(loc="left"))
+        axes = next(a for a in standard_figure(run).axes if "Restitution" in a.get_title(loc="left"))
         self.assertGreater(axes.get_xlim()[1], 1.04 * run.impacts["v_approach"].max())
 
     def test_legend_states_the_gaps(self):
@@ -296,7 +296,7 @@ class FramePictures(unittest.TestCase):
 
     def test_in_space_each_direction_has_a_panel(self):
         run = self.corner()
-        for figure in (plots.standard_figure(run), run.plot("displacement")):
+        for figure in (standard_figure(run), run.plot("displacement")):
             along = {
                 axes.get_title(loc="left").split()[-1]: axes
                 for axes in figure.axes
@@ -339,13 +339,13 @@ class FramePictures(unittest.TestCase):
 
     def test_rotations_have_a_panel_and_a_picture(self):
         run = self.runs["rigid"]
-        axes = next(a for a in plots.standard_figure(run, compare=True).axes if "Rotation" in a.get_title(loc="left"))
+        axes = next(a for a in standard_figure(run, compare=True).axes if "Rotation" in a.get_title(loc="left"))
         lines = {line.get_label(): line for line in axes.lines}
         np.testing.assert_allclose(lines["tall, floor 5"].get_ydata(), 1e3 * frame_samples.sway("tall")["rz"])
         np.testing.assert_allclose(lines["without links"].get_ydata(), 0.7e3 * frame_samples.sway("tall")["rz"])
         self.assertEqual(len(axes.lines), 4)
         self.assertEqual(len(run.plot("rotation", compare=True).axes[0].lines), 4)
-        self.assertFalse(any("Rotation" in title for title in titles(plots.standard_figure(self.runs["space"]))))
+        self.assertFalse(any("Rotation" in title for title in titles(standard_figure(self.runs["space"]))))
         with raises(BadRequest):
             self.runs["space"].plot("rotation")
 
@@ -363,13 +363,13 @@ class FramePictures(unittest.TestCase):
             profiles_figure(run, title="", size=size).draw_without_rendering()
 
     def test_the_ground_is_drawn_along_every_axis(self):
-        axes = plots.standard_figure(self.runs["rigid"]).axes[0]
+        axes = standard_figure(self.runs["rigid"]).axes[0]
         self.assertEqual([line.get_label() for line in axes.lines], ["along x", "along y"])
         np.testing.assert_array_equal(axes.lines[1].get_ydata(), np.sin(3 * np.pi * frame_samples.TIME))
 
     def test_comparisons_keep_every_structure(self):
         run = self.corner()
-        for axes in plots.standard_figure(run, compare=True).axes[1:3]:
+        for axes in standard_figure(run, compare=True).axes[1:3]:
             self.assertEqual(
                 sum(line.get_linestyle() == "--" and line.get_linewidth() == 0.8 for line in axes.lines),
                 3,
@@ -411,7 +411,7 @@ class FramePictures(unittest.TestCase):
         for link in run.links.values():
             link.direction[:] = [0, 1, 0]
         self.addCleanup(lambda: [link.direction.__setitem__(slice(None), [1, 0, 0]) for link in run.links.values()])
-        axes = next(a for a in plots.standard_figure(run).axes if "Displacements along y" in a.get_title(loc="left"))
+        axes = next(a for a in standard_figure(run).axes if "Displacements along y" in a.get_title(loc="left"))
         line = next(line for line in axes.lines if line.get_label() == "tall, floor 3")
         np.testing.assert_allclose(line.get_ydata(), 1e3 * run.structures["tall"].along["y"].displacement[:, 2])
 

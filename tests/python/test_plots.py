@@ -18,6 +18,8 @@ from pounding import _export as export
 from pounding import _plots as plots
 from pounding import animation
 from pounding._pictures import figures, style
+from pounding._ended import exit_code
+from pounding._pictures.run_picture import standard_figure
 from pounding._pictures.style import BadRequest
 from pounding.results import NotResults
 from pounding._runs import read
@@ -51,7 +53,7 @@ class Pictures(unittest.TestCase):
         warnings.resetwarnings()
 
     def figure(self, kind, **options):
-        return plots.standard_figure(read(self.files[kind]), **options)
+        return standard_figure(read(self.files[kind]), **options)
 
     def test_need_a_matplotlib_that_is_new_enough(self):
         code = "import matplotlib\nmatplotlib.__version_info__ = (3, 6, 3)\nimport pounding._plots"
@@ -109,7 +111,7 @@ class Pictures(unittest.TestCase):
         still = dataclasses.replace(run.structures["right"].along["x"], displacement=empty)
         run.structures["right"] = dataclasses.replace(run.structures["right"], floors=[], along={"x": still})
         run.links["left.1-right.1"] = dataclasses.replace(run.links["left.1-right.1"], right_floor=0)
-        axes = axes_titled(plots.standard_figure(run), "Displacements")
+        axes = axes_titled(standard_figure(run), "Displacements")
         lines = {line.get_label(): line.get_ydata() for line in axes.lines}
         np.testing.assert_array_equal(lines["right"], np.full(run.time.size, 20.0))
         assert_mentions(axes.get_legend_handles_labels()[1], "20 mm")
@@ -118,7 +120,7 @@ class Pictures(unittest.TestCase):
         run = read(self.files["towers"])
         del run.links["slender.6-stiff.6"]
         run = dataclasses.replace(run, impacts=run.impacts[run.impacts["link"] != "slender.6-stiff.6"])
-        axes = axes_titled(plots.standard_figure(run), "Displacements")
+        axes = axes_titled(standard_figure(run), "Displacements")
         self.assertEqual(
             axes.get_legend_handles_labels()[1],
             ["slender, floor 5", "slender, top", "stiff, floor 5", "stiff, top", "gap, 40 mm at rest"],
@@ -142,7 +144,7 @@ class Pictures(unittest.TestCase):
             last, name="slender.6-stiff", right_floor=0, right_end="17 m up"
         )
         run = dataclasses.replace(run, impacts=run.impacts[run.impacts["link"] != last.name])
-        axes = axes_titled(plots.standard_figure(run), "Displacements")
+        axes = axes_titled(standard_figure(run), "Displacements")
         lines = {line.get_label(): line.get_ydata() for line in axes.lines}
         self.assertEqual(
             axes.get_legend_handles_labels()[1],
@@ -157,7 +159,7 @@ class Pictures(unittest.TestCase):
         run.links["left.1-right.1"] = dataclasses.replace(
             link, left_floor=0, left_end="node a", right_floor=0, right_end="node b"
         )
-        axes = axes_titled(plots.standard_figure(run), "Displacements")
+        axes = axes_titled(standard_figure(run), "Displacements")
         self.assertEqual(axes.get_legend_handles_labels()[1], ["left", "right"])
 
     def test_restitutions_show_what_was_asked_and_leave_room_for_the_usual_ones(self):
@@ -165,7 +167,7 @@ class Pictures(unittest.TestCase):
         text = "links:\n  - name: left.1-right.1\n    parameters:\n      restitution: 0.65  # -\nanalysis:\n  restitution: 7\n"
         run = dataclasses.replace(run, resolved_yaml=text)
         run.impacts["restitution"][0] = 6.3
-        axes = axes_titled(plots.standard_figure(run), "Restitution")
+        axes = axes_titled(standard_figure(run), "Restitution")
         assert_mentions([each.get_text() for each in axes.texts], ["0.65", "1.5", "6.3"])
         self.assertEqual(
             [
@@ -182,7 +184,7 @@ class Pictures(unittest.TestCase):
         strongest = np.argmax(run.impacts["peak_force"])
         for name in ("t_end", "t_release", "v_separation", "restitution"):
             run.impacts[name][strongest] = np.nan
-        axes = axes_titled(plots.standard_figure(run), "Strongest")
+        axes = axes_titled(standard_figure(run), "Strongest")
         self.assertGreater(axes.lines[0].get_xdata().size, 10)
         self.assertIn("still pressed", axes.get_xlabel())
 
@@ -265,14 +267,14 @@ class Pictures(unittest.TestCase):
         for link in run.links.values():
             link.force[:] = 0
         run.impacts["peak_force"] = np.nan
-        figure = plots.standard_figure(run)
+        figure = standard_figure(run)
         self.assertIn("(d) Impulses of rigid contacts", titles(figure))
         self.assertEqual(axes_titled(figure, "Strongest").texts[0].get_text(), "Rigid contact: no loop")
 
     def test_loop_is_not_that_of_a_rigid_impact(self):
         run = read(self.files["two"])
         run.impacts["peak_force"][0] = np.nan
-        axes = axes_titled(plots.standard_figure(run), "Strongest")
+        axes = axes_titled(standard_figure(run), "Strongest")
         self.assertGreater(axes.lines[0].get_xdata().max(), 1)
 
     def test_unfinished_runs_say_so(self):
@@ -298,10 +300,10 @@ class CommandLine(unittest.TestCase):
         self.results = self.directory / "run.h5"
         subprocess.run([WRITER, "two", self.results], check=True)
 
-    def run_main(self, *arguments):
+    def run_main(self, *arguments, command=plots):
         errors = io.StringIO()
         with contextlib.redirect_stderr(errors):
-            code = plots.main([str(argument) for argument in arguments])
+            code = exit_code(lambda: command.main([str(argument) for argument in arguments]))
         return code, errors.getvalue()
 
     def test_picture_is_written(self):
@@ -325,12 +327,11 @@ class CommandLine(unittest.TestCase):
             read(other, checked=False)
         code, text = self.run_main(other, "-o", "x.png")
         self.assertEqual(code, 2)
-        self.assertTrue(text.startswith(f"{other}: has no checksum"), text)
+        self.assertTrue(text.startswith(f"pounding: {other}: has no checksum"), text)
         for command, ending in ((export, "xdmf"), (animation, "gif")):
-            errors = io.StringIO()
-            with self.subTest(command.__name__), contextlib.redirect_stderr(errors):
-                self.assertEqual(command.main([str(other), "-o", str(self.directory / f"x.{ending}")]), 2)
-            self.assertEqual(errors.getvalue(), text)
+            with self.subTest(command.__name__):
+                done = self.run_main(other, "-o", self.directory / f"x.{ending}", command=command)
+                self.assertEqual(done, (2, text))
 
     def test_unknown_kind_of_picture_is_refused(self):
         code, text = self.run_main(self.results, "-o", self.directory / "run.xyz")

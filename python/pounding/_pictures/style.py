@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+import argparse
 import io
 import os
 import re
 import sys
 import textwrap
 import warnings
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from os import PathLike
 from pathlib import Path
@@ -19,7 +20,7 @@ import numpy as np
 from matplotlib import font_manager, rc_context
 from matplotlib.figure import Figure
 
-from pounding._outputs import PICTURE, replaced, tell
+from pounding._outputs import PICTURE, read_object, replaced, tell
 from pounding.errors import InputError
 
 # The first version with legends outside the axes.
@@ -193,15 +194,26 @@ def structure_colour(number: int) -> str:
 
 
 def write_picture(figure: Figure, path: str | PathLike[str]) -> int:
-    """Writes .png, .pdf or .svg and prints its name. Returns 0, or 2 after a message."""
+    """Writes .png, .pdf or .svg, prints its name and returns 0. Raises InputError, OSError."""
     try:
         with rc_context(STYLE):
             figure.savefig(path)
-    except InputError as error:
-        print(error, file=sys.stderr)
-        return 2
-    except (OSError, ValueError) as error:
-        print(f"cannot write {path}: {error}", file=sys.stderr)
-        return 2
+    except InputError:
+        raise
+    except ValueError as error:
+        raise BadRequest(f"cannot write {path}: {error}") from error
     tell("picture", path)
     return 0
+
+
+def draw_object(
+    module: str, description: str, draw: Callable[[Any, str | None], Figure], arguments: list[str] | None
+) -> int:
+    """Command line `python3 -m pounding.MODULE FILE -o PICTURE [--title TEXT]`: draws the JSON object in a file with
+    this title. Returns 0. Raises InputError, OSError."""
+    parser = argparse.ArgumentParser(prog=f"python3 -m pounding.{module}", description=description)
+    parser.add_argument("file", help="file with the JSON object")
+    parser.add_argument("-o", "--output", required=True, help="picture to write: .png, .pdf or .svg")
+    parser.add_argument("--title", help="title of the picture")
+    options = parser.parse_args(arguments)
+    return write_picture(draw(read_object(options.file), options.title), options.output)

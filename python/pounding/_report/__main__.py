@@ -3,21 +3,19 @@
 from __future__ import annotations
 
 import argparse
-import json
 import sys
 from pathlib import Path
 
-from pounding._checked_file import STUDY, NotResults
+from pounding._checked_file import STUDY
 from pounding._ended import exit_code
-from pounding._outputs import START, cannot_read, tell
+from pounding._outputs import START, read_object, tell
 from pounding._report import write_report, write_suite_report
 from pounding._spectra import read_spectra
-from pounding.errors import InputError
 from pounding.results import RunData
 
 
 def main(arguments: list[str] | None = None) -> int:
-    """Command line. Returns 0, or 2 after a message if the results cannot be read or the report cannot be written."""
+    """Command line: writes the report. Raises InputError, OSError."""
     parser = argparse.ArgumentParser(
         prog="python3 -m pounding._report", description="Write the report of a run or a suite."
     )
@@ -25,25 +23,14 @@ def main(arguments: list[str] | None = None) -> int:
     parser.add_argument("-o", "--output", required=True, help="report to write: .pdf or .html")
     parser.add_argument("--spectra", help="file with the spectra of the ground motion as a JSON object")
     options = parser.parse_args(arguments)
-    try:
-        if _is_table(options.results):
-            from pounding._studies.suite import Suite
+    if _is_table(options.results):
+        from pounding._studies.suite import Suite
 
-            write_suite_report(Suite.open(options.results), options.output)
-            tell("report", options.output)
-            return 0
-        spectra = []
-        if options.spectra:
-            with open(options.spectra, encoding="utf-8") as file:
-                spectra = read_spectra(json.load(file))[1]
-        run = RunData.read(options.results)
-        write_report(run, options.output, spectra=spectra)
-    except NotResults as error:
-        print(cannot_read(options.results, error), file=sys.stderr)
-        return 2
-    except (InputError, OSError) as error:
-        print(error, file=sys.stderr)
-        return 2
+        write_suite_report(Suite.open(options.results), options.output)
+        tell("report", options.output)
+        return 0
+    spectra = read_spectra(read_object(options.spectra))[1] if options.spectra else []
+    write_report(RunData.read(options.results), options.output, spectra=spectra)
     return 0
 
 
