@@ -80,11 +80,15 @@ class DataArray:
     def __len__(self) -> int:
         return self.shape[0]
 
-    def __repr__(self) -> str:
+    @property
+    def label(self) -> str:
+        """Sizes of the dimensions, and the unit."""
         sizes = ", ".join(f"{name}: {size}" for name, size in zip(self.dims, self.shape))
         unit = self.attrs.get("units", "text")
-        about = [self.name, f"({sizes})", "" if unit in ("text", "1") else f"[{unit}]", self.attrs.get("long_name", "")]
-        return " ".join(word for word in about if word)
+        return f"({sizes})" + ("" if unit in ("text", "1") else f" [{unit}]")
+
+    def __repr__(self) -> str:
+        return f"{self.name} {self.label} {self.attrs.get('long_name', '')}".rstrip()
 
 
 class Data(Mapping[str, Any]):
@@ -202,7 +206,10 @@ def read_fields(kind: type[Read], group: Data, **given: Any) -> Read:
             raise KeyError(one.name)
         if one.name in given and one.type in _READ:
             given[one.name] = _READ[one.type](given[one.name])
-    return kind(**given)
+    made = kind(**given)
+    # For print(); they are no field, so that equal values are equal objects.
+    vars(made)["labels"] = {name: array.label for name, array in arrays.items() if name in given}
+    return made
 
 
 def to_datatree(data: Data) -> xarray.DataTree:
@@ -246,7 +253,7 @@ _READ: dict[str, Callable[[Any], Any]] = {"str": str, "list[str]": _list, "bool 
 
 
 def _is_scale(dataset: h5py.Dataset) -> bool:
-    return dataset.attrs.get("CLASS") in (b"DIMENSION_SCALE", "DIMENSION_SCALE")
+    return isinstance(dataset, h5py.Dataset) and bool(h5py.h5ds.is_scale(dataset.id))
 
 
 def _name_of_scale(dataset: h5py.Dataset) -> str:
@@ -260,11 +267,8 @@ def _address(dataset: h5py.Dataset) -> int:
 
 def _attributes(item: h5py.Group | h5py.Dataset) -> dict[str, Any]:
     """Attributes except those of dimensions: texts as str, numbers as they are."""
-    return {
-        name: _plain(value)
-        for name, value in item.attrs.items()
-        if name not in _OF_DIMENSIONS and not name.startswith("_Netcdf4")
-    }
+    names = (name for name in item.attrs if name not in _OF_DIMENSIONS and not name.startswith("_Netcdf4"))
+    return {name: _plain(item.attrs[name]) for name in names}
 
 
 def _plain(value: Any) -> Any:

@@ -11,7 +11,7 @@ from pounding._data import Data, read_fields
 
 
 @dataclass(frozen=True, repr=False)
-class Device(printing.ReportLines, lines=printing.device):
+class Device(printing.ReportLines):
     """A bar, a damper or both between two structures. Elongation and force are positive in tension."""
 
     name: str

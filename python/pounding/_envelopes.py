@@ -23,7 +23,7 @@ def section_signs(components: list[str]) -> np.ndarray:
 
 
 @dataclass(frozen=True, repr=False)
-class Extremes(printing.ReportLines, lines=printing.extremes):
+class Extremes(printing.ReportLines):
     """Minima and maxima of a quantity, signed, along the last axis of both arrays."""
 
     values: np.ndarray  #: [..., 2]
@@ -46,7 +46,7 @@ class Extremes(printing.ReportLines, lines=printing.extremes):
 
 
 @dataclass(frozen=True, repr=False)
-class StructureEnvelope(printing.ReportLines, lines=printing.envelope):
+class StructureEnvelope(printing.ReportLines):
     """Extremes of one structure. Missing quantities are None."""
 
     name: str

@@ -1,21 +1,41 @@
-"""Text of objects in print(): three lines with names, sizes, units and peak values."""
+"""Text of objects in print(): names, sizes, units and peak values.
+
+Runs, structures, links and models have three lines of their own; other results have a line per array."""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterable
+from dataclasses import fields
 from typing import Any
 
 import numpy as np
 
-#: Description of MemberForces.gravity_included.
-GRAVITY = {None: "", True: "; gravity is included", False: "; gravity is not included"}
+
+def contents(one: Any) -> list[str]:
+    """Names and numbers of a dataclass; then a line per array with its dimensions, unit and largest absolute value."""
+    labels: dict[str, str] = vars(one).get("labels", {})
+    plain, lines = [], []
+    for name, value in ((each.name, getattr(one, each.name)) for each in fields(one)):
+        if isinstance(value, (str, int, float)):
+            plain += [f"{name} {value:.4g}" if isinstance(value, float) else f"{name} {value}"] if value != "" else []
+        elif isinstance(value, list):
+            plain += [f"{name} {few(value, 3)}"] if value else []
+        elif value is not None:
+            # Extremes have values and times.
+            arrays = (
+                {f"{name}.{key}": array for key, array in value.items()}
+                if isinstance(value, dict)
+                else {name: getattr(value, "values", value)}
+            )
+            lines += [f"{key} {labels.get(key, array.shape)}, at most {peak(array)}" for key, array in arrays.items()]
+    return [", ".join(plain)] * bool(plain) + lines
 
 
 class ReportLines:
-    """An object that prints as three lines; its repr is the first of them."""
+    """An object that prints as some lines; its repr is the first of them."""
 
-    _lines: Callable[[Any], list[str]]
+    _lines: Callable[[Any], list[str]] = staticmethod(contents)
 
     def __init_subclass__(cls, lines: Callable[[Any], list[str]] | None = None, **options: Any) -> None:
         super().__init_subclass__(**options)
@@ -61,49 +81,6 @@ def structure(one: Any) -> list[str]:
     ]
 
 
-def floor_motion(motion: Any) -> list[str]:
-    """Shape; largest motion; largest drift and shear."""
-    return [
-        f"{_shape(motion.displacement, 'time', 'floor')}",
-        _motion(motion),
-        f"storey shear {peak(motion.storey_shear)} N, base shear "
-        f"{'not in the file' if motion.base_shear is None else f'{peak(motion.base_shear)} N'}",
-    ]
-
-
-def node_motion(motion: Any) -> list[str]:
-    """Shape; names; largest motion."""
-    return [
-        f"{_shape(motion.displacement, 'time', 'node', 'direction')}",
-        f"nodes {few(motion.names)}; directions {', '.join(motion.directions)}",
-        f"displacement {peak(motion.displacement)} m or rad; velocity {peak(motion.velocity)} m/s or rad/s; "
-        f"acceleration {peak(motion.acceleration)} m/s^2 or rad/s^2",
-    ]
-
-
-def member_forces(forces: Any) -> list[str]:
-    """Shape; names; largest force of each component."""
-    ends = (
-        f"{name} {peak(forces.end_forces[..., i])} {'N m' if name.split()[-1][0] in 'MT' else 'N'}"
-        for i, name in enumerate(forces.components)
-    )
-    return [
-        f"{_shape(forces.end_forces, 'time', 'member', 'component')}",
-        f"members {few(forces.names)}",
-        f"largest {few(ends, 12)}{GRAVITY[forces.gravity_included]}",
-    ]
-
-
-def geometry(one: Any) -> list[str]:
-    """Counts; extent; names."""
-    low, high = (one.nodes.min(axis=0), one.nodes.max(axis=0)) if len(one.nodes) else (np.zeros(3), np.zeros(3))
-    return [
-        f"{counted(len(one.nodes), 'node')}, {counted(len(one.members), 'member')}",
-        ", ".join(f"{axis} {a:.4g} to {b:.4g} m" for axis, a, b in zip("xyz", low, high)),
-        f"nodes {few(one.node_names, 4)}; members {few(one.member_names, 4)}",
-    ]
-
-
 def link(one: Any) -> list[str]:
     """Ends, law and gap; largest values; samples."""
     left, right = _ends(one)
@@ -122,31 +99,6 @@ def _opening(one: Any) -> str:
         return ""
     seat = "" if math.isnan(one.seat) else f" of a seat of {1e3 * one.seat:.4g} mm"
     return f", opening {1e3 * one.largest_opening:.4g} mm{seat}"
-
-
-def springs(parts: Any) -> list[str]:
-    """Shape and laws; the part with the largest deformation; energy."""
-    ductility = parts.largest["ductility"]
-    most = int(np.argmax(ductility))
-    yielded = parts.states.count("yielded")
-    return [
-        f"{_shape(parts.deformation, 'time', 'part')}, {few(sorted(set(parts.laws)))}",
-        f"{yielded} of {counted(len(parts.names), 'part')} yielded; largest ductility {ductility[most]:.4g}, {parts.names[most]}",
-        f"largest force {peak(parts.largest['peak_force'])} N or N m; {parts.largest['hysteretic'].sum():.4g} J lost by yielding",
-    ]
-
-
-def device(one: Any) -> list[str]:
-    """Ends and kind; largest values; samples."""
-    left, right = _ends(one)
-    parts = [f"bar {one.stiffness:.4g} N/m"] if one.stiffness else []
-    if one.coefficient:
-        parts.append(f"damper {one.coefficient:.4g} N (s/m)^{one.exponent:g}")
-    return [
-        f"{one.name}: {', '.join(parts)} between {left} and {right}",
-        f"largest force {peak(one.largest['force'])} N, elongation {peak(one.largest['elongation'])} m",
-        f"{counted(one.force.size, 'output time')}",
-    ]
 
 
 def law(one: Any) -> list[str]:
@@ -216,34 +168,6 @@ def film(one: Any) -> list[str]:
     ]
 
 
-def extremes(one: Any) -> list[str]:
-    """Number of values; smallest and largest."""
-    shape = " x ".join(map(str, one.values.shape[:-1])) or "1"
-    if not one.values.size:
-        return ["minima and maxima of nothing"]
-    return [
-        f"minima and maxima of {shape} values",
-        f"smallest {np.nanmin(one.min):.4g}, largest {np.nanmax(one.max):.4g}",
-        "times of both in .times [s]",
-    ]
-
-
-def envelope(one: Any) -> list[str]:
-    """Name and floors; largest values; members and supports."""
-    units = {"displacement": "m", "drift": "m", "acceleration": "m/s^2", "storey_shear": "N", "member_force": "N, N m"}
-    found = [
-        f"{name} {peak(extreme.peak)} {unit}"
-        for name, unit in units.items()
-        if (extreme := getattr(one, name)) is not None and extreme.values.size
-    ]
-    others = f"{counted(len(one.members), 'member')}, {counted(len(one.supports), 'support')}"
-    return [
-        f"extremes of {one.name}: {counted(len(one.floors), 'floor')}, directions {', '.join(one.directions) or 'none'}",
-        f"largest in all steps: {', '.join(found) or 'nothing'}",
-        f"{others}; arrays in .displacement.min and so on, tables by results.to_pandas()",
-    ]
-
-
 def view(one: Any) -> list[str]:
     """Instants of the film and modes; size; how to save it."""
     return [
@@ -297,10 +221,6 @@ def _ends(one: Any) -> list[str]:
 def _largest(values: np.ndarray) -> float:
     finite = values[np.isfinite(values)]
     return float(finite.max()) if finite.size else 0.0
-
-
-def _shape(values: np.ndarray, *words: str) -> str:
-    return ", ".join(counted(size, word) for size, word in zip(values.shape, words))
 
 
 def _motion(motion: Any) -> str:

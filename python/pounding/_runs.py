@@ -306,12 +306,11 @@ class Run(RunData):
         Returns
         -------
         dict of str to pandas.DataFrame
-            Keys are "impacts", "energy", "ground", "links/NAME", "devices/NAME", and "structures/NAME" with columns
-            (quantity, floor, direction), including (edge_displacement, floor, edge) of rigid floors in space. If the
-            input requests them: "structures/NAME/nodes" with (quantity, node, direction), and with (member, component)
-            "structures/NAME/members", end forces, and "structures/NAME/sections", internal forces with N positive in
-            tension. "envelopes/NAME" has the extremes of all steps by (quantity, item, direction). The `attrs` of
-            members and sections state whether gravity is included.
+            Keys are the paths of the groups: "impacts", "energy", "ground", "links/NAME", "devices/NAME", and
+            "structures/NAME" with columns (quantity, floor, direction, ...). If the input requests them:
+            "structures/NAME/nodes" with (quantity, node, direction) and "structures/NAME/members" with (quantity,
+            member, component). "envelopes/NAME" has the extremes of all steps by (quantity, item, direction). `attrs`
+            has the units and other attributes of each quantity.
 
         Raises
         ------
@@ -326,12 +325,12 @@ class Run(RunData):
         return _needing("pandas", "pounding._tables").to_pandas(self)
 
     def to_xarray(self) -> dict[str, xarray.Dataset]:
-        """Same as `to_pandas`, as datasets with units; `data` is the file itself.
+        """The groups of `data` with arrays.
 
         Returns
         -------
         dict of str to xarray.Dataset
-            Datasets with the dimensions time, floor or node, and direction, or time, member and component.
+            Datasets by path, whose arrays are read when they are used.
 
         Raises
         ------

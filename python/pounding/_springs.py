@@ -19,7 +19,7 @@ _ISOLATORS = re.compile(r"isolators|isolator \S+( [xy])?")
 
 
 @dataclass(frozen=True, repr=False)
-class Springs(printing.ReportLines, lines=printing.springs):
+class Springs(printing.ReportLines):
     """Yielding parts and devices of one structure. Deformations are storey drifts and device elongations [m] or hinge
     rotations [rad]; forces are shears and tensions [N] or moments [N m]."""
 

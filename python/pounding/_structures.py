@@ -17,7 +17,7 @@ from pounding.errors import InputError, excerpt
 
 
 @dataclass(frozen=True, repr=False)
-class Geometry(printing.ReportLines, lines=printing.geometry):
+class Geometry(printing.ReportLines):
     """Nodes and members of a frame at rest."""
 
     nodes: np.ndarray  #: [node, 3] x, y, z [m], z up
@@ -28,7 +28,7 @@ class Geometry(printing.ReportLines, lines=printing.geometry):
 
 
 @dataclass(frozen=True, repr=False)
-class NodeMotion(printing.ReportLines, lines=printing.node_motion):
+class NodeMotion(printing.ReportLines):
     """Motion of the nodes requested in the input."""
 
     names: list[str]
@@ -39,7 +39,7 @@ class NodeMotion(printing.ReportLines, lines=printing.node_motion):
 
 
 @dataclass(frozen=True, repr=False)
-class MemberForces(printing.ReportLines, lines=printing.member_forces):
+class MemberForces(printing.ReportLines):
     """End forces of the members requested in the input, in local axes."""
 
     names: list[str]
@@ -62,8 +62,8 @@ class MemberForces(printing.ReportLines, lines=printing.member_forces):
         return np.take_along_axis(ends, np.abs(ends).argmax(axis=2, keepdims=True), axis=2)[:, :, 0]
 
 
-@dataclass(frozen=True)
-class Reactions:
+@dataclass(frozen=True, repr=False)
+class Reactions(printing.ReportLines):
     """Reactions at the supported nodes of a frame, in global axes, without damping forces."""
 
     names: list[str]
@@ -74,7 +74,7 @@ class Reactions:
 
 
 @dataclass(frozen=True, repr=False)
-class FloorMotion(printing.ReportLines, lines=printing.floor_motion):
+class FloorMotion(printing.ReportLines):
     """Motion of the floors in one direction."""
 
     displacement: np.ndarray  #: [time, floor] relative to the ground [m]; along rz all quantities are angular
@@ -233,4 +233,6 @@ def _floor_motion(group: Data, i: int) -> FloorMotion:
         else:
             motion[key] = values[:, :, i] if i < values.shape[2] else np.empty((len(values), 0))
     base = group.get("base_shear")
-    return FloorMotion(**motion, base_shear=base[:, i] if base is not None and i < base.shape[1] else None)
+    made = FloorMotion(**motion, base_shear=base[:, i] if base is not None and i < base.shape[1] else None)
+    vars(made)["labels"] = {key: f"{values.shape} [{group[key].attrs['units']}]" for key, values in motion.items()}
+    return made

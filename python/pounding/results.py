@@ -215,14 +215,18 @@ class RunData(printing.ReportLines, lines=printing.run):
         >>> results.data["links/left-right/force"].attrs["units"]
         'N'
         """
-        name = "what was given" if isinstance(self.source, bytes) else str(self.source)
-        if _header(self.source) != self.header:
-            raise NotResults(f'{name} has changed since it was read; read it again: pounding.read("{name}")')
-        data = Data(_opened(self.source, name)[self.group])
+        data = self._groups()
         try:
             return to_datatree(data)
         except ModuleNotFoundError:
             return data
+
+    def _groups(self) -> Data:
+        """The same as `data`, without xarray. Raises NotResults if the file has changed since it was read."""
+        name = "what was given" if isinstance(self.source, bytes) else str(self.source)
+        if _header(self.source) != self.header:
+            raise NotResults(f'{name} has changed since it was read; read it again: pounding.read("{name}")')
+        return Data(_opened(self.source, name)[self.group])
 
     def __getstate__(self) -> dict[str, Any]:
         # An open file cannot be copied.

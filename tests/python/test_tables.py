@@ -30,9 +30,9 @@ class Tables(unittest.TestCase):
                 self.assertEqual(row["time_of_max"], one.displacement.times[i, 1, 1])
             forces = table.loc["member_force"]
             self.assertEqual(len(forces), len(one.members) * len(one.components))
-            self.assertLess(len(str(one)), 600)
+            self.assertLess(len(str(one)), 1000)
             self.assertLess(len(repr(one.member_force)), 100)
-            assert_mentions(str(one), [name, f"{len(one.members)} members"])
+            assert_mentions(str(one), [name, f"member: {len(one.members)}"])
 
     def test_floors_in_all_directions(self):
         structure = next(iter(self.run_.structures.values()))
