@@ -11,11 +11,13 @@ import numpy as np
 from pounding import _printing as printing
 from pounding._data import Data, read_fields
 
-#: Names of storeys and hinges, and of isolators: all of a building, or one at a foot of a frame.
-_OF_MEMBERS = re.compile(r"storey \d+|.+ (start|end)( [yz])?")
-_HINGES = re.compile(r".+ (start|end)( [yz])?")
-_SUPPORTS = re.compile(r"support \S+")
-_ISOLATORS = re.compile(r"isolators|isolator \S+( [xy])?")
+#: Names of parts by kind; isolators are all of a building, or one at a foot of a frame. Others are devices.
+_KINDS = {
+    "storey": re.compile(r"storey \d+"),
+    "hinge": re.compile(r".+ (start|end)( [yz])?"),
+    "isolator": re.compile(r"isolators|isolator \S+( [xy])?"),
+    "support": re.compile(r"support \S+"),
+}
 
 
 @dataclass(frozen=True, repr=False)
@@ -55,7 +57,7 @@ class Springs(printing.ReportLines):
         bool
             Kind of the part.
         """
-        return not _OF_MEMBERS.fullmatch(self.names[part]) and not self.isolates(part) and not self.lifts_off(part)
+        return self.kind(part) == "device"
 
     def is_hinge(self, part: int) -> bool:
         """True if a part is a hinge at the end of a member.
@@ -70,7 +72,7 @@ class Springs(printing.ReportLines):
         bool
             Kind of the part.
         """
-        return _HINGES.fullmatch(self.names[part]) is not None
+        return self.kind(part) == "hinge"
 
     def isolates(self, part: int) -> bool:
         """True if a part is an isolator.
@@ -85,7 +87,7 @@ class Springs(printing.ReportLines):
         bool
             Kind of the part.
         """
-        return _ISOLATORS.fullmatch(self.names[part]) is not None
+        return self.kind(part) == "isolator"
 
     def lifts_off(self, part: int) -> bool:
         """True if a part is a support that acts in compression only.
@@ -100,7 +102,23 @@ class Springs(printing.ReportLines):
         bool
             Kind of the part.
         """
-        return self.laws[part] == "uplift" and _SUPPORTS.fullmatch(self.names[part]) is not None
+        return self.kind(part) == "support"
+
+    def kind(self, part: int) -> str:
+        """Kind of a part.
+
+        Parameters
+        ----------
+        part : int
+            Index of the part.
+
+        Returns
+        -------
+        str
+            storey, hinge, isolator, support (one that acts in compression only) or device.
+        """
+        kind = next((kind for kind, name in _KINDS.items() if name.fullmatch(self.names[part])), "device")
+        return "device" if kind == "support" and self.laws[part] != "uplift" else kind
 
     def number(self, name: str) -> int:
         """Index of a part by name.

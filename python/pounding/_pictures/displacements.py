@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 from matplotlib.axes import Axes
 
-from pounding._pictures.geometry import floor_heights
+from pounding._pictures.geometry import levels
 from pounding._pictures.panels import NO_LINK, legend_beside, plot_time, time_unit
 from pounding._pictures.style import MM, STRUCTURE_COLOURS, BadRequest, structure_colour
 from pounding.results import Link, RunData, Structure
@@ -271,15 +271,13 @@ def _at_place(run: RunData, other: RunData, name: str, view: _View) -> np.ndarra
             ),
             np.zeros(other.time.size),
         )
-    heights, _ = floor_heights(structure)
-    ground = structure.geometry.nodes[:, 2].min() if structure.geometry is not None else 0.0
+    heights = levels(structure)
     motion = np.stack(
-        [_of_floor(other, name, floor, view.direction, other.time) for floor in range(len(heights) + 1)], axis=1
+        [_of_floor(other, name, floor, view.direction, other.time) for floor in range(len(heights))], axis=1
     )
     height = link.position[2] if link.position is not None else _height(run, link)
-    levels = np.array([ground, *heights])
-    above = int(np.clip(np.searchsorted(levels, height), 1, len(levels) - 1))
-    share = np.clip((height - levels[above - 1]) / (levels[above] - levels[above - 1]), 0, 1)
+    above = int(np.clip(np.searchsorted(heights, height), 1, len(heights) - 1))
+    share = np.clip((height - heights[above - 1]) / (heights[above] - heights[above - 1]), 0, 1)
     return (1 - share) * motion[:, above - 1] + share * motion[:, above]
 
 

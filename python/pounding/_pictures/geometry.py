@@ -75,11 +75,11 @@ def floor_heights(structure: Structure) -> tuple[np.ndarray, bool]:
     return np.asarray(heights, float), known
 
 
-def storey_heights(structure: Structure) -> np.ndarray:
-    """[floor] heights of the storeys below the floors [m]; the lowest starts at the lowest node, or at zero."""
+def levels(structure: Structure) -> np.ndarray:
+    """[floor + 1] heights of the ground and of the floors [m]; the ground is at the lowest node, or at zero."""
     heights, _ = floor_heights(structure)
     ground = structure.geometry.nodes[:, 2].min() if structure.geometry is not None else min(0.0, heights[0])
-    return np.diff(heights, prepend=ground)
+    return np.array([ground, *heights])
 
 
 def outline(points: np.ndarray) -> np.ndarray:

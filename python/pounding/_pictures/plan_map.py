@@ -15,7 +15,7 @@ from matplotlib.figure import Figure
 
 from pounding._pictures.comparison import require_comparison
 from pounding._pictures.drawing import are_many
-from pounding._pictures.geometry import outline, storey_heights
+from pounding._pictures.geometry import levels, outline
 from pounding._pictures.panels import note
 from pounding._pictures.scene import Scene
 from pounding._pictures.style import FORCE_UNITS, IMPULSE_UNITS, NARROW, BadRequest, engineering, picture
@@ -109,8 +109,7 @@ def largest_drift(run: RunData, structure: Structure) -> float:
     drift = run.envelopes[structure.name].drift
     if drift is None:
         return 0.0
-    largest = np.maximum(np.abs(drift.min), np.abs(drift.max))[:, :2]
-    return 100 * float((largest / storey_heights(structure)[:, None]).max())
+    return 100 * float((drift.peak[:, :2] / np.diff(levels(structure))[:, None]).max())
 
 
 def contacts(run: RunData) -> list[Contact]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator, Sequence
 from string import ascii_lowercase
 from typing import Any
 
@@ -14,7 +14,7 @@ from matplotlib.ticker import MaxNLocator
 
 from pounding._envelopes import EDGES
 from pounding._pictures.comparison import require_comparison
-from pounding._pictures.geometry import floor_heights
+from pounding._pictures.geometry import floor_heights, levels
 from pounding._pictures.style import FORCE_UNITS, MM, BadRequest, engineering, largest, picture, structure_colour
 from pounding.results import RunData, Structure
 
@@ -23,6 +23,8 @@ SOLID: dict[str, Any] = {"linewidth": 1.2}
 DASHED: dict[str, Any] = {"linewidth": 1.0, "linestyle": (0, (3, 2))}
 #: Below this width four panels are in two rows [in].
 NARROW = 5.0
+#: Extremes of a quantity that a structure does not have.
+NOTHING = np.empty((0, 0))
 #: Minimum height of a row of panels [in].
 LOWEST = 0.95
 
@@ -85,47 +87,34 @@ Runs = list[tuple[RunData, dict[str, Any]]]
 
 def draw_displacement(axes: Axes, runs: Runs, axis: str = "x") -> None:
     """Extreme displacements of the floors; the ground is zero."""
-    for run, structure, style in _structures(runs, axis):
-        for values in _extremes(run, structure, axis, "displacement"):
-            axes.plot([0, *(MM * values)], _levels(structure, run), marker="o", markersize=2.5, **style)
+    _draw_floors(axes, runs, axis, lambda run, one: MM * _extremes(run, one, "displacement", ["xy".index(axis)]))
     _finish(axes, "Displacement", "mm")
 
 
 def draw_rotation(axes: Axes, runs: Runs, axis: str = "rz") -> None:
     """Extreme rotations of rigid floors about z."""
-    for run, structure, style in _structures(runs, axis):
-        tracked = run.envelopes[structure.name].displacement
-        if structure.plan is not None and tracked is not None:
-            rigid = ~np.isnan(structure.plan[:, 0])
-            place = structure.directions.index("rz")
-            for values in (tracked.min[:, place], tracked.max[:, place]):
-                axes.plot(
-                    [0, *(MM * np.where(rigid, values, np.nan))],
-                    _levels(structure, run),
-                    marker="o",
-                    markersize=2.5,
-                    **style,
-                )
+
+    def of_rigid_floors(run: RunData, one: Structure) -> np.ndarray:
+        if one.plan is None:
+            return NOTHING
+        turned = _extremes(run, one, "displacement", [one.directions.index(axis)])
+        return MM * np.where(np.isnan(one.plan[:, 0]), np.nan, turned)
+
+    _draw_floors(axes, runs, axis, of_rigid_floors)
     _finish(axes, "Rotation", "mrad")
 
 
 def draw_edges(axes: Axes, runs: Runs, axis: str = "x") -> None:
     """Extreme displacements of the two parallel edges of rigid floors along an axis, the larger of both."""
     edges = [number for number, name in enumerate(EDGES) if name.startswith(axis)]
-    for run, structure, style in _structures(runs, axis):
-        tracked = run.envelopes[structure.name].edge_displacement
-        if tracked is not None:
-            for values in (tracked.min[:, edges].min(axis=1), tracked.max[:, edges].max(axis=1)):
-                axes.plot([0, *(MM * values)], _levels(structure, run), marker="o", markersize=2.5, **style)
+    _draw_floors(axes, runs, axis, lambda run, one: MM * _extremes(run, one, "edge_displacement", edges))
     _finish(axes, "Edge displacement", "mm")
     axes.set_title("Edges")
 
 
 def draw_acceleration(axes: Axes, runs: Runs, axis: str = "x") -> None:
     """Extreme absolute accelerations of the floors."""
-    for run, structure, style in _structures(runs, axis):
-        for values in _extremes(run, structure, axis, "acceleration"):
-            axes.plot(values, _levels(structure, run)[1:], marker="o", markersize=2.5, **style)
+    _draw_floors(axes, runs, axis, lambda run, one: _extremes(run, one, "acceleration", ["xy".index(axis)]), ())
     _finish(axes, "Acceleration", "m/s²")
 
 
@@ -134,7 +123,7 @@ def draw_drift(axes: Axes, runs: Runs, axis: str = "x") -> None:
     relative = _all_heights_known(runs[0][0])
     for run, structure, style in _structures(runs, axis):
         heights = _levels(structure, run)
-        for values in _extremes(run, structure, axis, "drift"):
+        for values in _extremes(run, structure, "drift", ["xy".index(axis)]):
             _draw_steps(axes, 100 * values / np.diff(heights) if relative else MM * values, heights, style)
     _finish(axes, "Storey drift", "% of height" if relative else "mm")
 
@@ -142,12 +131,26 @@ def draw_drift(axes: Axes, runs: Runs, axis: str = "x") -> None:
 def draw_shear(axes: Axes, runs: Runs, axis: str = "x") -> None:
     """Extreme storey shears."""
     drawn = list(_structures(runs, axis))
-    shears = [_extremes(run, structure, axis, "storey_shear") for run, structure, _ in drawn]
-    size, unit = engineering(largest(values for pair in shears for values in pair), FORCE_UNITS)
+    shears = [_extremes(run, structure, "storey_shear", ["xy".index(axis)]) for run, structure, _ in drawn]
+    size, unit = engineering(largest(shears), FORCE_UNITS)
     for (run, structure, style), pair in zip(drawn, shears):
         for values in pair:
             _draw_steps(axes, values / size, _levels(structure, run), style)
     _finish(axes, "Storey shear", unit)
+
+
+def _draw_floors(
+    axes: Axes,
+    runs: Runs,
+    axis: str,
+    extremes: Callable[[RunData, Structure], np.ndarray],
+    ground: Sequence[float] = (0.0,),
+) -> None:
+    """Minima and maxima at the floors, and the value of the ground."""
+    for run, structure, style in _structures(runs, axis):
+        heights = _levels(structure, run)[1 - len(ground) :]
+        for values in extremes(run, structure):
+            axes.plot([*ground, *values], heights, marker="o", markersize=2.5, **style)
 
 
 def _structures(runs: Runs, axis: str) -> Iterator[tuple[RunData, Structure, dict[str, Any]]]:
@@ -158,11 +161,12 @@ def _structures(runs: Runs, axis: str) -> Iterator[tuple[RunData, Structure, dic
                 yield run, structure, {"color": structure_colour(number), **style}
 
 
-def _extremes(run: RunData, structure: Structure, axis: str, what: str) -> list[np.ndarray]:
-    """Minima and maxima [floor]; empty if the structure does not have the quantity."""
-    extremes = getattr(run.envelopes[structure.name], what)
-    place = "xy".index(axis)
-    return [] if extremes is None else [extremes.min[:, place], extremes.max[:, place]]
+def _extremes(run: RunData, structure: Structure, what: str, columns: list[int]) -> np.ndarray:
+    """[2, floor] minima and maxima over these columns; without rows if the structure does not have the quantity."""
+    found = getattr(run.envelopes[structure.name], what)
+    return (
+        NOTHING if found is None else np.stack([found.min[:, columns].min(axis=1), found.max[:, columns].max(axis=1)])
+    )
 
 
 def _draw_steps(axes: Axes, values: np.ndarray, heights: np.ndarray, style: dict[str, Any]) -> None:
@@ -186,12 +190,7 @@ def _all_heights_known(run: RunData) -> bool:
 def _levels(structure: Structure, run: RunData) -> np.ndarray:
     """[floor + 1] from the ground: elevations [m], or floor numbers if any is unknown. The ground is at the lowest
     node, or at zero."""
-    if not _all_heights_known(run):
-        return np.arange(len(structure.floors) + 1.0)
-    ground = (
-        structure.geometry.nodes[:, 2].min() if structure.geometry is not None else min(0.0, structure.elevations[0])
-    )
-    return np.array([ground, *structure.elevations])
+    return levels(structure) if _all_heights_known(run) else np.arange(len(structure.floors) + 1.0)
 
 
 def height_label(structures: list[Structure]) -> str:

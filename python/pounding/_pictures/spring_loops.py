@@ -3,7 +3,6 @@ elongation."""
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable
 from functools import partial
 
@@ -36,8 +35,14 @@ MIN_OF_TWO, MIN_HEIGHT = 4.2, 1.6
 DEVICE = "0.25"
 #: Draws one loop.
 Loop = Callable[[Axes], None]
-#: Suffix of the names of hinges.
-HINGE = re.compile(r" (start|end)( [yz])?$")
+#: Labels of force and deformation by kind of part.
+LABELS = {
+    "hinge": ("Moment", "Rotation [mrad]"),
+    "device": ("Tension", "Elongation [mm]"),
+    "isolator": ("Force", "Deformation [mm]"),
+    "support": ("Force", "Upward displacement [mm]"),
+    "storey": ("Shear", "Drift [mm]"),
+}
 #: Units of moments have the same sizes as those of forces.
 MOMENT_UNITS = tuple((size, f"{name} m") for size, name in FORCE_UNITS)
 
@@ -109,28 +114,16 @@ def draw_device(axes: Axes, device: Device, lost: float) -> None:
 def draw_loop(axes: Axes, structure: Structure, part: int, colour: str) -> None:
     """The loop of one part."""
     springs = _springs(structure)
-    name, is_device = springs.names[part], springs.is_device(part)
-    turns = structure.geometry is not None and HINGE.search(name) is not None
-    isolates = springs.isolates(part)
+    kind = springs.kind(part)
     deformation, force = MM * springs.deformation[:, part], springs.force[:, part]
-    size, unit = engineering(largest([force]), MOMENT_UNITS if turns else FORCE_UNITS)
+    size, unit = engineering(largest([force]), MOMENT_UNITS if kind == "hinge" else FORCE_UNITS)
     limits = (-springs.negative_yield_deformation[part], springs.yield_deformation[part])
     for limit in limits if np.isfinite(limits).all() else ():
         axes.axvline(MM * limit, color="0.5", linewidth=0.6, linestyle=(0, (4, 3)), zorder=1)
     _draw_curve(axes, deformation, force / size, colour)
     lost_size, lost_unit = engineering(springs.largest["hysteretic"][part], ENERGY_UNITS)
-    sense, way = (
-        ("Moment", "Rotation [mrad]")
-        if turns
-        else ("Tension", "Elongation [mm]")
-        if is_device
-        else ("Force", "Deformation [mm]")
-        if isolates
-        else ("Force", "Upward displacement [mm]")
-        if springs.lifts_off(part)
-        else ("Shear", "Drift [mm]")
-    )
-    axes.set_title(f"{structure.name}, {name}")
+    sense, way = LABELS[kind]
+    axes.set_title(f"{structure.name}, {springs.names[part]}")
     axes.set_ylabel(f"{sense} [{unit}]")
     axes.set_xlabel(
         f"{way}\nductility {springs.largest['ductility'][part]:.3g}, "

@@ -178,21 +178,16 @@ def _parts(scene: Scene, numbers: dict[str, int]) -> Iterator[Trace]:
     """Marks of hinges, yielding storeys and isolators, one trace per kind and state."""
     marks: dict[tuple[str, str], tuple[Points, list[str]]] = {}
     for structure, springs, i, ends in placed_parts(scene):
-        kind = "hinge" if springs.is_hinge(i) else "isolator" if springs.isolates(i) else "storey"
+        kind = springs.kind(i)
         points, texts = marks.setdefault((kind, springs.states[i]), (Points(), []))
         _follow(points, scene, structure.name, numbers[structure.name], ends.mean(axis=0))
         texts.append(_part_text(structure, i))
-    names = {"hinge": "hinges", "storey": "storeys", "isolator": "isolators"}
-    for kind, state in sorted(marks, key=lambda key: (list(names).index(key[0]), list(STATES).index(key[1]))):
+    for kind, state in sorted(marks, key=lambda key: (list(SYMBOLS).index(key[0]), list(STATES).index(key[1]))):
         points, texts = marks[kind, state]
-        marker: dict[str, Any] = {
-            "symbol": SYMBOLS[kind],
-            "size": 4 if state == "elastic" else 6,
-            "color": STATES[state],
-        }
-        marker["line"] = {"color": "#333333", "width": 1}
+        marker: dict[str, Any] = {"symbol": SYMBOLS[kind], "size": 4 if state == "elastic" else 6}
+        marker |= {"color": STATES[state], "line": {"color": "#333333", "width": 1}}
         shown = {"type": "scatter3d", "mode": "markers", "marker": marker, "text": texts, "hoverinfo": "text"}
-        yield Trace({**shown, "name": f"{names[kind]}: {state}"}, points)
+        yield Trace({**shown, "name": f"{kind}s: {state}"}, points)
 
 
 def _part_text(structure: Structure, i: int) -> str:
