@@ -9,7 +9,6 @@ A deformation is in m and a force in N; at a hinge rad and N m.
 
 from __future__ import annotations
 
-import difflib
 from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any, NamedTuple
@@ -18,10 +17,9 @@ import numpy as np
 import numpy.typing as npt
 
 from pounding import _arguments as arguments
-from pounding._law_parameters import Given, Parameter, numbers_of
+from pounding._law_parameters import Given, Kinds, Parameter, Values, described, numbers_of
 from pounding._native import core
-from pounding.contact import Kinds, Values, described
-from pounding.errors import InputError, excerpt
+from pounding.errors import InputError
 
 
 class YieldingParameter(Parameter):
@@ -155,14 +153,6 @@ class _Kinds(Kinds[YieldingKind]):
 
     variable, noun = "hysteresis", "hysteretic law"
 
-    def __init__(self) -> None:
-        super().__init__(map(_kind, core.yielding_catalogue()))
-
-    def _unknown(self, name: str) -> str:
-        near = difflib.get_close_matches(name[:100], self._kinds, 1)
-        hint = f'Did you mean "{near[0]}"?' if near else f"Allowed: {', '.join(self._kinds)}."
-        return f"unknown hysteretic law {excerpt(name)}. {hint}"
-
 
 def _kind(entry: dict[str, Any]) -> YieldingKind:
     parameters = tuple(YieldingParameter(*values) for values in entry["parameters"])
@@ -170,4 +160,4 @@ def _kind(entry: dict[str, Any]) -> YieldingKind:
     return YieldingKind(**entry | {"parameters": parameters, "choices": choices})
 
 
-hysteresis: Mapping[str, YieldingKind] = _Kinds()
+hysteresis: Mapping[str, YieldingKind] = _Kinds(map(_kind, core.yielding_catalogue()))

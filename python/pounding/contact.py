@@ -5,38 +5,34 @@ Penetration > 0 [m] is overlap, rate > 0 [m/s] closes, force > 0 [N] pushes apar
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Any, NamedTuple, Protocol, TypeVar, cast
+from typing import Any, NamedTuple, cast
 
 import numpy as np
-import numpy.typing as npt
 
 from pounding import _arguments as arguments
 from pounding import _printing as printing
 from pounding._arguments import flag, number, optional, quantity, takes, text
+from pounding._calibration import calibrate
 from pounding._contact_state import ContactState
-from pounding._law_parameters import Given, Parameter, Quantity, by_key, number_in, numbers_of
+from pounding._law_parameters import (
+    Given,
+    Kinds,
+    Numbers,
+    Parameter,
+    Quantity,
+    Values,
+    by_key,
+    described,
+    number_in,
+    numbers_of,
+    states_of,
+)
 from pounding._native import core
 from pounding.errors import InputError
 
 __all__ = ["Formula", "FreeImpact", "Law", "LawKind", "Laws", "Parameter", "Response", "calibrate", "laws"]
-
-#: A number or an array of numbers.
-Numbers = npt.ArrayLike
-#: Results: an array, or a number if all arguments are numbers.
-Values = npt.NDArray[np.float64]
-
-
-def described(name: str, summary: str, shape: str, source: str, parameters: Iterable[Parameter]) -> list[str]:
-    """Description of a law, one line per parameter."""
-    return [f"{name}: {summary}", f"  {shape}", f"  {source}"] + [
-        f"  {p.name} [{p.unit or '-'}]  {p.meaning} ({p.need}), typically {_shown(p.typical)}" for p in parameters
-    ]
-
-
-def _shown(typical: float | list[float] | bool) -> str:
-    return f"{typical:g}" if isinstance(typical, float) else str(typical)
 
 
 @dataclass(frozen=True)
@@ -68,14 +64,6 @@ class FreeImpact(printing.ReportLines, lines=printing.free_impact):
     energy_lost: Values  #: work on the link that is dissipated [J]
     impulse: Values  #: integral of the force [N s]
     closed_form: tuple[str, ...]  #: names of the quantities with a closed form; the others are integrated to 1e-10
-
-
-class _Named(Protocol):
-    @property
-    def name(self) -> str: ...
-
-
-Kind = TypeVar("Kind", bound=_Named)
 
 
 @dataclass(frozen=True)
@@ -370,25 +358,8 @@ class Law:
                 )
             approach_velocity = 1.0
         given = {"penetration": penetration, "rate": rate, "approach_velocity": approach_velocity}
-        arrays = [arguments.numbers(key, values) for key, values in given.items()]
-        velocity = arrays[2]
-        if not np.all(np.isfinite(velocity) & (velocity >= 0)):
-            worst = velocity[~(np.isfinite(velocity) & (velocity >= 0))].flat[0]
-            raise InputError(f"approach_velocity is {worst:g}, but must be finite and not negative")
-        if in_order and (velocity.ndim or max(array.ndim for array in arrays) != 1):
-            raise InputError(
-                "in_order takes the states of one impact: rows of penetrations and rates, one approach_velocity"
-            )
-        if len({array.shape for array in arrays if array.ndim}) > 1:
-            try:
-                arrays = list(np.broadcast_arrays(*arrays))
-            except ValueError:
-                shapes = ", ".join(f"{key} {array.shape}" for key, array in zip(given, arrays))
-                raise InputError(
-                    f"the arrays have shapes that do not broadcast: {shapes}; give arrays of one shape, or numbers"
-                ) from None
-        ask = law.responses if slopes else law.forces
-        return ask(arrays[0], arrays[1], arrays[2], in_order)
+        depth, speed, closing = states_of(given, in_order)
+        return (law.responses if slopes else law.forces)(depth, speed, closing, in_order)
 
     def _with_mass(self, mass: float | None) -> core.Law:
         if mass is not None:
@@ -405,117 +376,13 @@ class Law:
         )
 
 
-class Kinds(Mapping[str, Kind]):
-    """Laws by name. `variable` is the name of the object in its module, `noun` that of its items in messages."""
-
-    variable: str
-    noun: str
-
-    def __init__(self, kinds: Iterable[Kind]) -> None:
-        self._kinds = {kind.name: kind for kind in kinds}
-
-    def __getitem__(self, name: str) -> Kind:
-        place = f"{self.variable}[...]"
-        if not isinstance(name, str):
-            raise arguments.refuse(place, f"the name of a {self.noun}", name)
-        if arguments.text(place, name) not in self._kinds:
-            raise InputError(self._unknown(name))
-        return self._kinds[name]
-
-    def __contains__(self, name: object) -> bool:
-        return isinstance(name, str) and name in self._kinds
-
-    def __iter__(self) -> Iterator[str]:
-        return iter(self._kinds)
-
-    def __len__(self) -> int:
-        return len(self._kinds)
-
-    def __repr__(self) -> str:
-        return f"<pounding.{self.variable}: {', '.join(self._kinds)}>"
-
-    def __reduce__(self) -> str:
-        return self.variable
-
-    def _unknown(self, name: str) -> str:
-        raise NotImplementedError
-
-
 class Laws(Kinds[LawKind]):
     """The contact laws by name: `laws["jankowski"](stiffness=2.75e9, restitution=0.65, reduced_mass=6e4)`."""
 
     variable, noun = "laws", "law"
 
-    def __init__(self) -> None:
-        super().__init__(map(_kind, core.catalogue()))
-
     def _unknown(self, name: str) -> str:
         return core.unknown_law(name)
-
-
-@takes(
-    law=text,
-    m1=quantity,
-    m2=quantity,
-    restitution=optional(quantity),
-    stiffness=optional(quantity),
-    velocity=optional(quantity),
-    exponent=optional(quantity),
-    parameters=quantity,
-)
-def calibrate(
-    law: str,
-    *,
-    m1: Quantity,
-    m2: Quantity = "wall",
-    restitution: Quantity | None = None,
-    stiffness: Quantity | None = None,
-    velocity: Quantity | None = None,
-    exponent: Quantity | None = None,
-    **parameters: Quantity,
-) -> dict[str, Any]:
-    """Damping of a law for a restitution by every formula, and the restitution obtained in a free impact.
-
-    Parameters
-    ----------
-    law : str
-        Name of the law.
-    m1 : float or str
-        Mass of one body [kg].
-    m2 : float or str
-        Mass of the other body [kg]; "wall" for a rigid wall.
-    restitution : float or str, optional
-        Requested restitution.
-    stiffness : float or str, optional
-        Stiffness of the contact.
-    velocity : float or str, optional
-        Closing speed [m/s].
-    exponent : float or str, optional
-        Exponent of the law.
-    **parameters
-        Further parameters of the law.
-
-    Returns
-    -------
-    dict of str to object
-        The object that `pounding calibrate --json` prints. Missing parameters have typical values and are listed in
-        "assumed". "formulas" has one entry per formula with restitution, peak_force [N], time_of_peak [s],
-        peak_penetration [m], duration [s], energy_lost [J], impulse [N s] and damping, or the reason in "refused".
-
-    Raises
-    ------
-    InputError
-        A parameter is unknown or out of range.
-
-    Examples
-    --------
-    >>> found = pounding.calibrate("hertz_damped", m1="100 t", restitution=0.65)
-    >>> "exact" in [one["formula"] for one in found["formulas"]]
-    True
-    """
-    others = [(name, _word(value)) for name, value in parameters.items()]
-    given = _word(restitution), _word(m1), _word(m2), _word(stiffness), _word(velocity), _word(exponent)
-    return core.calibrate(law, *given, others)
 
 
 def _kind(entry: dict[str, Any]) -> LawKind:
@@ -524,8 +391,4 @@ def _kind(entry: dict[str, Any]) -> LawKind:
     return LawKind(**entry | {"parameters": parameters, "formulas": formulas})
 
 
-def _word(value: Quantity | None) -> str:
-    return "" if value is None else value if isinstance(value, str) else repr(float(value))
-
-
-laws = Laws()
+laws = Laws(map(_kind, core.catalogue()))
