@@ -83,6 +83,20 @@ class Devices(unittest.TestCase):
             stored = 0.5 * device.stiffness * device.elongation[-1] ** 2
             self.assertAlmostEqual((area - stored) / one["energy_lost"], 1, delta=0.03)
 
+    @unittest.skipIf(importlib.util.find_spec("matplotlib") is None, "needs matplotlib")
+    def test_are_dashed_lines_between_their_ends_in_a_report(self):
+        from matplotlib.figure import Figure
+
+        from pounding._pictures.model_picture import spread_scene
+        from pounding._report.drawings import model_drawing
+
+        figure = Figure()
+        model_drawing(figure, (0, 0, 1, 1), self.results)
+        [line] = [line for axes in figure.axes for line in axes.lines if line.get_color() == "black"]
+        scene = spread_scene(self.results, 0.04)
+        ends = [scene.at_rest(name)[-1] for name in ("left", "right")]
+        np.testing.assert_allclose(line.get_xydata(), [[x, z] for x, _, z in ends])
+
     def test_are_tables(self):
         device = self.results.devices["both ways"]
         self.assertTrue((tables.to_pandas(self.results)["devices/both ways"]["force"].to_numpy() == device.force).all())

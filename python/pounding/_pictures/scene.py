@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from pounding._devices import Device
 from pounding._pictures.geometry import (
     UNKNOWN_STOREY,
     LineModel,
@@ -57,6 +58,31 @@ class Scene:
     def at_rest(self, name: str) -> np.ndarray:
         """[node, 3] in the scene."""
         return self.line_models[name].nodes + self.shifts[name]
+
+    def device_ends(self, device: Device) -> list[np.ndarray]:
+        """The two ends of a device at rest; an end on a wall is level with the other one. Empty if both are unknown."""
+        left, right = self._device_end(device.left, device.left_end), self._device_end(device.right, device.right_end)
+        if left is None and right is None:
+            return []
+        return [self._level_with(device.left, right, left), self._level_with(device.right, left, right)]
+
+    def _device_end(self, name: str, label: str) -> np.ndarray | None:
+        """Position of an end such as "node b" or "floor 3"; None for the end on a wall."""
+        structure, rest = self.run.structures[name], self.at_rest(name)
+        kind, _, place = label.partition(" ")
+        if kind == "node" and structure.geometry is not None:
+            return np.array(rest[structure.geometry.node_names.index(place)])
+        if kind == "floor" and place in structure.floors:
+            floor = structure.floors.index(place)
+            if structure.geometry is None:
+                return np.array(rest[self.line_models[name].masses[floor]])
+            on_floor = structure.geometry.floor_of_node == floor
+            return np.array(rest[on_floor].mean(axis=0)) if on_floor.any() else None
+        return None
+
+    def _level_with(self, name: str, other: np.ndarray | None, known: np.ndarray | None) -> np.ndarray:
+        base = self.at_rest(name)[0]
+        return known if known is not None else base if other is None else np.array([*base[:2], other[2]])
 
     def bounds(self, margin: float | np.ndarray = 0.0) -> np.ndarray:
         """[3, 2] bounds along x, y, z of everything at rest, including masses; `margin` is one or [3] distances added

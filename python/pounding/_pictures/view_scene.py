@@ -210,21 +210,16 @@ def _devices(scene: Scene, numbers: dict[str, int]) -> Iterator[Trace]:
     """Bars and dampers between structures as lines between their ends."""
     points, texts = Points(), []
     for device in scene.run.devices.values():
-        left, right = (
-            _device_end(scene, *end) for end in ((device.left, device.left_end), (device.right, device.right_end))
-        )
-        if left is None and right is None:
+        ends = scene.device_ends(device)
+        if not ends:
             continue
-        # An end without a floor or node, of a wall, is level with the other one.
-        left = _level_with(scene, device.left, right) if left is None else left
-        right = _level_with(scene, device.right, left) if right is None else right
         parts = [f"bar {device.stiffness:.4g} N/m"] if device.stiffness else []
         parts += [f"damper {device.coefficient:.4g}, exponent {device.exponent:g}"] if device.coefficient else []
         text = f"{device.name}<br>{', '.join(parts)}"
         if device.force.size:
             size, unit = engineering(float(np.abs(device.largest["force"]).max()), FORCE_UNITS)
             text += f"<br>at most {np.abs(device.largest['force']).max() / size:.3g} {unit}"
-        for name, end in ((device.left, left), (device.right, right)):
+        for name, end in zip((device.left, device.right), ends):
             _follow(points, scene, name, numbers[name], end)
             texts.append(text)
         points.interrupt()
@@ -232,26 +227,6 @@ def _devices(scene: Scene, numbers: dict[str, int]) -> Iterator[Trace]:
     shown = {"type": "scatter3d", "mode": "lines+markers", "line": {"color": "#009E73", "width": 6}}
     marker = {"size": 3, "color": "#009E73", "symbol": SYMBOLS["device"]}
     yield Trace({**shown, "marker": marker, "text": texts, "hoverinfo": "text", "name": "devices"}, points)
-
-
-def _device_end(scene: Scene, name: str, label: str) -> np.ndarray | None:
-    """Position of an end such as "node b" or "floor 3"; None for the end on a wall."""
-    structure, rest = scene.run.structures[name], scene.at_rest(name)
-    kind, _, place = label.partition(" ")
-    if kind == "node" and structure.geometry is not None:
-        return np.array(rest[structure.geometry.node_names.index(place)])
-    if kind == "floor" and place in structure.floors:
-        floor = structure.floors.index(place)
-        if structure.geometry is None:
-            return np.array(rest[scene.line_models[name].masses[floor]])
-        on_floor = structure.geometry.floor_of_node == floor
-        return np.array(rest[on_floor].mean(axis=0)) if on_floor.any() else None
-    return None
-
-
-def _level_with(scene: Scene, name: str, other: np.ndarray | None) -> np.ndarray:
-    base = scene.at_rest(name)[0]
-    return base if other is None else np.array([base[0], base[1], other[2]])
 
 
 def _links(scene: Scene, numbers: dict[str, int]) -> Iterator[Trace]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
@@ -127,6 +127,11 @@ def ratio(value: float | None) -> str:
     if value is None or not math.isfinite(value):
         return _without_digits(value)
     return f"{value:.2f}" if value < 100 else f"{value:.0f}"
+
+
+def filled(*tables: Table) -> Iterator[Table]:
+    """Tables with rows."""
+    return (table for table in tables if table.rows)
 
 
 def cut(rows: list[list[str]], limit: int, noun: str) -> tuple[list[list[str]], str]:

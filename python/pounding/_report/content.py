@@ -8,7 +8,7 @@ import numpy as np
 
 from pounding._pictures.worst import ranked
 from pounding._report import assumptions, results_tables
-from pounding._report.blocks import Heading, Paragraph, Picture, Report, Table
+from pounding._report.blocks import Heading, Paragraph, Picture, Report, Table, filled
 from pounding._report.drawings import has_drifts, model_drawing, motion_drawing, worst_drawing
 from pounding._report.verdict import verdict
 from pounding._spectra import Spectrum
@@ -44,13 +44,13 @@ def _blocks(run: RunData, spectra: Sequence[Spectrum]) -> Iterator[Heading | Par
     if run.structures:
         yield Picture(lambda figure, box: model_drawing(figure, box, run), _caption(run), 62)
     yield Heading("Assumptions")
-    yield from _filled(
+    yield from filled(
         assumptions.structures_table(model), assumptions.contacts_table(model), assumptions.devices_table(model)
     )
     yield assumptions.analysis(summary)
     if any(np.any(values) for values in (run.ground_acceleration, *run.ground_across.values())):
         yield Heading("Ground motion")
-        yield from _filled(assumptions.motions_table(model))
+        yield from filled(assumptions.motions_table(model))
         yield Picture(
             lambda figure, box: motion_drawing(figure, box, run, spectra),
             "Ground acceleration over time" + (", and its response spectrum with 5 % damping." if spectra else "."),
@@ -68,7 +68,7 @@ def _blocks(run: RunData, spectra: Sequence[Spectrum]) -> Iterator[Heading | Par
             "Members and yielding parts with the largest increases by contact: with links in colour, without links grey.",
             36,
         )
-    yield from _filled(
+    yield from filled(
         results_tables.floors_table(summary),
         *results_tables.members_tables(summary),
         *results_tables.parts_tables(summary),
@@ -98,8 +98,3 @@ def _caption(run: RunData) -> str:
             ", dashed without links." if run.no_pounding is not None else "."
         )
     return text
-
-
-def _filled(*tables: Table) -> Iterator[Table]:
-    """Tables with rows."""
-    return (table for table in tables if table.rows)

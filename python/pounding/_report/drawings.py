@@ -9,7 +9,6 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from pounding._devices import Device
 from pounding._pictures.drawing import project
 from pounding._pictures.hinge_map import placed_parts
 from pounding._pictures.model_picture import TITLES, draw_model, spread_scene
@@ -110,22 +109,10 @@ def _draw_parts(axes: Axes, scene: Scene, view: str) -> None:
                 at[:, 0], at[:, 1], s=12, marker=marker, facecolor=face, edgecolor="0.25", linewidth=0.5, zorder=5
             )
     for device in scene.run.devices.values():
-        ends = _ends(scene, device)
-        if ends is not None:
-            axes.plot(*project(ends, view).T, color="black", linestyle=(0, (3, 1.5)), linewidth=1.0, zorder=5.5)
-
-
-def _ends(scene: Scene, device: Device) -> np.ndarray | None:
-    """[2, 3] of a device: its left end, and the nearest node of the structure on its right; None without a place."""
-    position, right = getattr(device, "position", None), getattr(device, "right", None)
-    left = getattr(device, "left", None)
-    if position is None or left not in scene.line_models or right not in scene.line_models:
-        return None
-    if not scene.line_models[left].has_place:
-        return None
-    start = np.asarray(position) + scene.shifts[left]
-    nodes = scene.at_rest(right)
-    return np.array([start, nodes[np.linalg.norm(nodes - start, axis=1).argmin()]])
+        if ends := scene.device_ends(device):
+            axes.plot(
+                *project(np.array(ends), view).T, color="black", linestyle=(0, (3, 1.5)), linewidth=1.0, zorder=5.5
+            )
 
 
 def motion_drawing(figure: Figure, box: Box, run: RunData, spectra: Sequence[Spectrum]) -> None:

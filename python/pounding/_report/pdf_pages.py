@@ -284,23 +284,7 @@ class _Layout:
 
 def _box(figure: Figure, x: float, y: float, width: float, height: float) -> None:
     """A shaded box with a mark at its left edge."""
-    figure.add_artist(
-        Rectangle(
-            (x / WIDTH, 1 - (y + height) / HEIGHT),
-            width / WIDTH,
-            height / HEIGHT,
-            facecolor="#faf3ee",
-            edgecolor="none",
-            zorder=0,
-        )
-    )
-    figure.add_artist(
-        Rectangle(
-            (x / WIDTH, 1 - (y + height) / HEIGHT),
-            1.0 / WIDTH,
-            height / HEIGHT,
-            facecolor=VERMILION,
-            edgecolor="none",
-            zorder=0,
-        )
-    )
+    corner = (x / WIDTH, 1 - (y + height) / HEIGHT)
+    for across, colour in ((width, "#faf3ee"), (1.0, VERMILION)):
+        shape = Rectangle(corner, across / WIDTH, height / HEIGHT, facecolor=colour, edgecolor="none", zorder=0)
+        figure.add_artist(shape)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Any
 
 from pounding._comparison import WORST, measure, worst
@@ -82,15 +83,18 @@ def _alone(one: dict[str, Any]) -> list[dict[int, Pair]]:
 
 def members_tables(summary: dict[str, Any]) -> list[Table]:
     """The five members with the largest increases, and with the largest demands."""
-    tables = []
-    for by, caption in (
-        ("ratio", "Members with the largest increases by contact"),
-        ("demand", "Members with the largest forces"),
-    ):
-        rows = worst(summary, "members", by)
-        if any(measure(row, by) is not None for row in rows):
-            tables.append(_members(rows, caption))
-    return tables
+    captions = {"ratio": "Members with the largest increases by contact", "demand": "Members with the largest forces"}
+    return _ranked(summary, "members", _members, captions)
+
+
+def _ranked(
+    summary: dict[str, Any], kind: str, make: Callable[[Rows, str], Table], captions: dict[str, str]
+) -> list[Table]:
+    """A table for each order in which a member or a part can be ranked."""
+    rankings = {by: worst(summary, kind, by) for by in captions}
+    return [
+        make(rows, captions[by]) for by, rows in rankings.items() if any(measure(row, by) is not None for row in rows)
+    ]
 
 
 def _members(rows: Rows, caption: str) -> Table:
@@ -115,14 +119,11 @@ def _members(rows: Rows, caption: str) -> Table:
 
 def parts_tables(summary: dict[str, Any]) -> list[Table]:
     """The five hinges, storeys or isolators with the largest increases of ductility, and with the largest ductility."""
-    tables = []
-    for by, caption in (
-        ("ratio", "Yielding parts with the largest increases by contact"),
-        ("demand", "Yielding parts with the largest ductilities"),
-    ):
-        rows = worst(summary, "hinges", by)
-        if any(measure(row, by) is not None for row in rows):
-            tables.append(_parts(rows, caption))
+    captions = {
+        "ratio": "Yielding parts with the largest increases by contact",
+        "demand": "Yielding parts with the largest ductilities",
+    }
+    tables = _ranked(summary, "hinges", _parts, captions)
     if tables or summary.get("comparison"):
         return tables
     alone = [

@@ -8,11 +8,11 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from pounding._report import suite_tables
-from pounding._report.blocks import Heading, Paragraph, Picture, Report, Table, number, span
+from pounding._report.blocks import Heading, Paragraph, Picture, Report, Table, filled, number, span
 from pounding._report.drawings import LETTERS, Box, axes_in
 from pounding._report.results_tables import warnings_paragraph
 from pounding._report.suite_tables import TABLE, Found
-from pounding._report.verdict import FORCES, NOTABLE
+from pounding._report.verdict import NOTABLE, member_clause
 from pounding._studies.batches import STATUSES
 from pounding._studies.scaling import Scaling
 from pounding._studies.suite_data import SuiteData
@@ -74,7 +74,7 @@ def _blocks(suite: SuiteData, found: Found, percent: float) -> Iterator[Heading 
     yield suite_tables.records_table(found)
     if found["finished"]:
         yield Heading("Results")
-        yield from _filled(
+        yield from filled(
             suite_tables.members_table(found, rank),
             suite_tables.parts_table(found, rank),
             suite_tables.links_table(found, rank),
@@ -119,9 +119,7 @@ def _worst(found: Found) -> str:
     clauses = []
     for row in found["worst"]["members"][:1]:
         if np.isfinite(row["with"]["mean"]) and row.get("ratio", 0) > NOTABLE:
-            kind = FORCES.get(row["component"][:1], row["component"])
-            where = f"{row['member']} of {row['structure']}"
-            clauses.append(f"{where} carries {number(row['ratio'])} times its {kind} without contact")
+            clauses.append(member_clause(row))
     for row in found["worst"]["hinges"][:1]:
         if np.isfinite(row["with"]["mean"]) and row.get("ratio", 0) > NOTABLE:
             clauses.append(
@@ -145,11 +143,6 @@ def _unfinished(found: Found) -> Iterator[Paragraph]:
         if named:
             more = f"; {len(named) - NAMES} more {TABLE}" if len(named) > NAMES else ""
             yield Paragraph(f"{title}: {'; '.join(named[:NAMES])}{more}.")
-
-
-def _filled(*tables: Table) -> Iterator[Table]:
-    """Tables with rows."""
-    return (table for table in tables if table.rows)
 
 
 def _grid(suite: SuiteData, names: Sequence[str]) -> list[list[tuple[str, str]]]:

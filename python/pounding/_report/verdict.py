@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 from typing import Any
 
+from pounding._comparison import worst
 from pounding._report.blocks import number
 
 #: Names of the kinds of a force component, by its first letter.
@@ -70,25 +72,19 @@ def _impacts(count: int) -> str:
 
 def _worst(summary: dict[str, Any]) -> str:
     """The member and the yielding part with the largest increase by contact; empty if nothing increases notably."""
-    comparison = summary.get("comparison") or {}
-    members = [
-        (name, row) for name, one in comparison.items() for row in (one.get("members") or {}).get("by_ratio", [])
-    ]
-    parts = [(name, row) for name, one in comparison.items() for row in (one.get("hinges") or {}).get("by_ratio", [])]
-    clauses = []
-    if members:
-        name, row = max(members, key=lambda one: _value(one[1]["ratio"]))
-        if _value(row["ratio"]) > NOTABLE:
-            kind = FORCES.get(row["component"][:1], row["component"])
-            clauses.append(f"{row['member']} of {name} carries {number(row['ratio'])} times its {kind} without contact")
-    if parts:
-        name, row = max(parts, key=lambda one: _value(one[1]["ductility"]["ratio"]))
+    clauses = [member_clause(row) for row in worst(summary, "members")[:1] if _value(row["ratio"]) > NOTABLE]
+    for row in worst(summary, "hinges")[:1]:
         pair = row["ductility"]
         if _value(pair["ratio"]) > NOTABLE:
-            clauses.append(
-                f"{row['part']} of {name} has ductility {number(pair['with'])} with contact and {number(pair['without'])} without"
-            )
-    return "; ".join(clauses) or _worst_floor(comparison)
+            ductility = f"ductility {number(pair['with'])} with contact and {number(pair['without'])} without"
+            clauses.append(f"{row['part']} of {row['structure']} has {ductility}")
+    return "; ".join(clauses) or _worst_floor(summary.get("comparison") or {})
+
+
+def member_clause(row: Mapping[str, Any]) -> str:
+    """The increase of the force of a member by contact."""
+    kind = FORCES.get(row["component"][:1], row["component"])
+    return f"{row['member']} of {row['structure']} carries {number(row['ratio'])} times its {kind} without contact"
 
 
 def _worst_floor(comparison: dict[str, Any]) -> str:
