@@ -6,6 +6,7 @@ allowed values.
 from __future__ import annotations
 
 import functools
+import importlib
 import inspect
 import math
 import numbers as abstract
@@ -219,6 +220,14 @@ def size(name: str, value: Any) -> tuple[float, float]:
     if found.shape != (2,) or not np.all(np.isfinite(found) & (found > 0) & (found <= 200)):
         raise refuse(name, "width and height [in], each above 0 and at most 200", value)
     return float(found[0]), float(found[1])
+
+
+def require_package(name: str) -> None:
+    """Raises ImportError with the command to install a package, if it is missing."""
+    try:
+        importlib.import_module(name)
+    except ModuleNotFoundError as error:
+        raise ImportError(f"this needs {name}: type python3 -m pip install {name}") from error
 
 
 def _has_items(value: Any, kinds: tuple[type, ...]) -> bool:

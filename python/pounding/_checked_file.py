@@ -18,15 +18,8 @@ BLOCK = 512
 FIRST_LINE = b"results of pounding\n"
 FIRST_LINE_OF_STUDY = b"study of pounding\n"
 _HDF5 = b"\x89HDF\r\n\x1a\n"
-#: Files that results and tables of studies may replace, including results of versions before 0.2.
-RESULTS = Kind(
-    "results of pounding",
-    lambda _, start: (
-        start.startswith(FIRST_LINE)
-        or start.startswith(_HDF5)
-        and all(name in start for name in (b"program\0", b"pounding", b"resolved.yaml"))
-    ),
-)
+#: Files that results and tables of studies may replace.
+RESULTS = Kind("results of pounding", lambda _, start: start.startswith(FIRST_LINE))
 STUDY = Kind("table of a study", lambda _, start: start.startswith(FIRST_LINE_OF_STUDY))
 
 
@@ -67,7 +60,7 @@ def require_whole_study(path: Path) -> None:
             raise NotResults(
                 f"{path} is not a table of a study, such as pounding study STUDY.yaml -o {path} writes, or it is damaged"
             )
-        if start != _block_before(file, FIRST_LINE_OF_STUDY):
+        if start != block(*_sums(file, start), FIRST_LINE_OF_STUDY):
             raise NotResults(
                 f"{path}: the table is damaged, or another program has changed it. Use an intact copy, or remove it and run the "
                 "study again"
@@ -81,12 +74,12 @@ def write_study(path: Path, image: bytes) -> None:
         file.write(image)
 
 
-def _block_before(file: BinaryIO, first_line: bytes) -> bytes:
-    """The header that matches the rest of the file."""
-    size, crc = BLOCK, 0
+def _sums(file: BinaryIO, header: bytes, start: bytes = b"") -> tuple[int, int]:
+    """Size and checksum of a file whose header, and some bytes behind it, have been read."""
+    size, crc = len(header) + len(start), zlib.crc32(start)
     while part := file.read(1 << 20):
         size, crc = size + len(part), zlib.crc32(part, crc)
-    return block(size, crc, first_line)
+    return size, crc
 
 
 def require_whole_image(image: bytes) -> None:
@@ -104,9 +97,7 @@ def _require_whole(file: BinaryIO, name: str) -> None:
     # HDF5 data follow even if the first line of the header is damaged.
     if not start.startswith(FIRST_LINE) and signature != _HDF5:
         raise NotResults(_foreign(name, start))
-    size, crc = len(start) + len(signature), zlib.crc32(signature)
-    while part := file.read(1 << 20):
-        size, crc = size + len(part), zlib.crc32(part, crc)
+    size, crc = _sums(file, start, signature)
     if start == block(size, crc):
         return
     digits = start[len(FIRST_LINE) + len("size ") :][:20]

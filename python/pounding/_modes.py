@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True, repr=False)
-class Mode(printing.ReportLines, lines=printing.mode):
+class Mode(printing.ReportLines):
     """One mode of a structure."""
 
     period: float  #: [s]; infinite for a free body

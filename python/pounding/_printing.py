@@ -11,24 +11,27 @@ from typing import Any
 
 import numpy as np
 
+#: Longer texts are not printed.
+LONGEST = 200
+
 
 def contents(one: Any) -> list[str]:
     """Names and numbers of a dataclass; then a line per array with its dimensions, unit and largest absolute value."""
     labels: dict[str, str] = vars(one).get("labels", {})
-    plain, lines = [], []
+    plain: list[str] = []
+    arrays: dict[str, np.ndarray] = {}
     for name, value in ((each.name, getattr(one, each.name)) for each in fields(one)):
-        if isinstance(value, (str, int, float)):
-            plain += [f"{name} {value:.4g}" if isinstance(value, float) else f"{name} {value}"] if value != "" else []
-        elif isinstance(value, list):
-            plain += [f"{name} {few(value, 3)}"] if value else []
-        elif value is not None:
-            # Extremes have values and times.
-            arrays = (
-                {f"{name}.{key}": array for key, array in value.items()}
-                if isinstance(value, dict)
-                else {name: getattr(value, "values", value)}
-            )
-            lines += [f"{key} {labels.get(key, array.shape)}, at most {peak(array)}" for key, array in arrays.items()]
+        value = getattr(value, "values", value) if not isinstance(value, dict) else value  # of Extremes
+        if isinstance(value, float):
+            plain.append(f"{name} {value:.4g}")
+        elif isinstance(value, (str, int)) and 0 < len(str(value)) < LONGEST:
+            plain.append(f"{name} {value}")
+        elif isinstance(value, list) and value and isinstance(value[0], str):
+            plain.append(f"{name} {few(value, 3)}")
+        elif isinstance(value, (dict, np.ndarray)):
+            every = {f"{name}.{key}": item for key, item in value.items()} if isinstance(value, dict) else {name: value}
+            arrays |= {key: item for key, item in every.items() if isinstance(item, np.ndarray)}
+    lines = [f"{name} {labels.get(name, array.shape)}, at most {peak(array)}" for name, array in arrays.items()]
     return [", ".join(plain)] * bool(plain) + lines
 
 
@@ -140,43 +143,6 @@ def modes(found: Any) -> list[str]:
     return [few(counts), few(periods, 4), few(ratios, 4)]
 
 
-def mode(one: Any) -> list[str]:
-    """Period and damping; participation; shape."""
-    return [
-        f"T = {one.period:.4g} s, damping {100 * one.damping_ratio:.3g} %",
-        f"participation {numbers(one.participation)}, effective mass {numbers(one.effective_mass)} kg",
-        f"shape {numbers(np.ravel(one.shape))}",
-    ]
-
-
-def free_impact(one: Any) -> list[str]:
-    """Restitution and loss; force and penetration; times and impulse."""
-    return [
-        f"restitution {numbers(one.restitution)}, energy lost {numbers(one.energy_lost)} J",
-        f"peak force {numbers(one.peak_force)} N after {numbers(one.time_of_peak)} s, penetration "
-        f"{numbers(one.peak_penetration)} m",
-        f"duration {numbers(one.duration)} s, impulse {numbers(one.impulse)} N s",
-    ]
-
-
-def film(one: Any) -> list[str]:
-    """Frames; duration; how to save it."""
-    return [
-        f"{counted(one.frames, 'frame')}, {one.speed:.3g} per second",
-        f"{one.frames / one.speed:.3g} s long",
-        'pounding.animation.save(film, "NAME.gif") writes it',
-    ]
-
-
-def view(one: Any) -> list[str]:
-    """Instants of the film and modes; size; how to save it."""
-    return [
-        f"interactive view, {counted(one.frames, 'instant')} of a film, {counted(one.modes, 'mode')}",
-        f"{len(one.html) / 1e6:.3g} MB, with everything in it",
-        '.save("NAME.html") writes it, for any browser',
-    ]
-
-
 def opensees_link(one: Any) -> list[str]:
     """Element, nodes and gap; law; direction."""
     mass = "" if one.reduced_mass is None else f", reduced mass {one.reduced_mass:.6g} kg"
@@ -197,14 +163,6 @@ def few(words: Iterable[str], most: int = 6) -> str:
 def counted(number: int, word: str) -> str:
     """ "1 floor", "2 floors"."""
     return f"{number} {word}{'' if number == 1 else 's'}"
-
-
-def numbers(values: Any) -> str:
-    """One number, or the first and the last of many."""
-    row = np.ravel(values)
-    if row.size <= 6:
-        return ", ".join(f"{value:.4g}" for value in row) or "none"
-    return f"{row[0]:.4g}, {row[1]:.4g} ... {row[-1]:.4g} ({row.size} values)"
 
 
 def peak(values: np.ndarray) -> str:

@@ -6,7 +6,7 @@ from __future__ import annotations
 import json
 import sys
 import textwrap
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, fields
 from os import PathLike
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -15,10 +15,9 @@ import numpy as np
 
 from pounding import _arguments as arguments
 from pounding import _printing as printing
-from pounding._arguments import optional, takes
+from pounding._arguments import optional, require_package, takes
 from pounding._checked_file import NotResults, require_whole
 from pounding._ended import exit_code
-from pounding._texts import text, texts
 from pounding.errors import InputError
 
 if TYPE_CHECKING:
@@ -39,26 +38,8 @@ class PushoverEvent:
     parts: list[str]  #: their names
 
 
-def _lines(found: Any) -> list[str]:
-    """State; events; measures."""
-    end = f"{1e3 * found.displacement[-1]:.4g} mm, {found.base_shear[-1] / 1e3:.4g} kN"
-    events = [
-        f"{printing.few(event.parts, 2)} at {1e3 * event.displacement:.4g} mm" for event in found.events if event.first
-    ]
-    mechanism = (
-        "no mechanism"
-        if found.mechanism is None
-        else f"mechanism at {1e3 * found.displacement[found.mechanism]:.4g} mm"
-    )
-    return [
-        f"pushover of {found.structure} along {found.direction}: {found.status}, to {end}",
-        f"first yields: {printing.few(events, 4)}",
-        f"{mechanism}; overstrength {found.overstrength:.4g}",
-    ]
-
-
 @dataclass(frozen=True, repr=False)
-class Pushover(printing.ReportLines, lines=_lines):
+class Pushover(printing.ReportLines):
     """Results of a pushover. The path is straight between points if the laws of the parts are piecewise linear."""
 
     structure: str
@@ -118,12 +99,8 @@ class Pushover(printing.ReportLines, lines=_lines):
             structure=summary["structure"],
             direction=summary["direction"],
             status=summary["status"],
-            displacement=points["displacement"],
-            base_shear=points["base_shear"],
-            floor_displacement=points["floor_displacement"],
+            **points,
             parts=[part["name"] for part in summary["parts"]],
-            deformation=points["deformation"],
-            force=points["force"],
             events=[PushoverEvent(**event) for event in summary["events"]],
             mechanism=None if mechanism is None else mechanism["point"],
             overstrength=summary["overstrength"]["largest"],
@@ -144,25 +121,19 @@ class Pushover(printing.ReportLines, lines=_lines):
         ImportError
             pandas is missing.
         """
-        try:
-            import pandas
-        except ModuleNotFoundError as error:
-            raise ImportError("this needs pandas: type python3 -m pip install pandas") from error
+        require_package("pandas")
+        import pandas
+
         floors = {f"floor {i + 1}": values for i, values in enumerate(self.floor_displacement.T)}
         curve = {"displacement": self.displacement, "base_shear": self.base_shear, **floors}
-        events = [
-            [one.point, one.displacement, one.base_shear, one.kind, one.first, ", ".join(one.parts)]
-            for one in self.events
-        ]
+        events = pandas.DataFrame(self.events, columns=[each.name for each in fields(PushoverEvent)])
         parts = {
             "deformation": np.abs(self.deformation).max(axis=0, initial=0.0),
             "force": np.abs(self.force).max(axis=0, initial=0.0),
         }
         return {
             "curve": pandas.DataFrame(curve, pandas.Index(range(len(self.displacement)), name="point")),
-            "events": pandas.DataFrame(
-                events, columns=["point", "displacement", "base_shear", "kind", "first", "parts"]
-            ),
+            "events": events.assign(parts=events["parts"].map(", ".join)),
             "parts": pandas.DataFrame(parts, pandas.Index(self.parts, name="part")),
         }
 
@@ -218,18 +189,17 @@ def read_pushover(path: str | PathLike[str]) -> Pushover:
     """
     import h5py
 
+    from pounding._data import Data
+
     require_whole(path)
     with h5py.File(path, "r") as file:
-        if "pushover" not in file:
+        group = Data(file).get("pushover")
+        if group is None:
             raise NotResults(
                 f'{path} holds no pushover; results of a run are read by pounding.read("{Path(path).name}")'
             )
-        group = file["pushover"]
-        names = ("displacement", "base_shear", "floor_displacement", "deformation", "force")
-        points = {name: np.asarray(group[name][()], float) for name in names}
-        found = Pushover._of(json.loads(text(group["summary"][()])), points)
-        assert found.parts == texts(group["parts"][()])
-        return found
+        points = {name: array.values for name, array in group.data_vars.items() if array.dims[:1] == ("point",)}
+        return Pushover._of(json.loads(str(group["summary"].values)), points)
 
 
 #: Maximum number of events listed next to the picture.

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 
 from pounding import _arguments as arguments
 from pounding import _comparison as comparison
-from pounding._arguments import flag, number, optional, takes, text, whole
+from pounding._arguments import flag, number, optional, require_package, takes, text, whole
 from pounding._pictures.html import run_html
 from pounding._spectra import Spectrum, floor_spectrum, ground_spectra
 from pounding.errors import InputError
@@ -380,8 +380,5 @@ def read(path: str | PathLike[str], *, checked: bool = True) -> Run:
 def _needing(package: str, module: str) -> Any:
     """A module of this package that needs another package; if that is missing, ImportError names the command to
     install it."""
-    try:
-        importlib.import_module(package)
-    except ModuleNotFoundError as error:
-        raise ImportError(f"this needs {package}: type python3 -m pip install {package}") from error
+    require_package(package)
     return importlib.import_module(module)

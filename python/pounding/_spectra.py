@@ -153,30 +153,25 @@ def floor_spectrum(
                 f"the peak of {peak:.4g} m/s^2; run the model again with analysis: {{output_step: {step / 10:g}}}"
             )
     chosen = _chosen(periods, STEPS_IN_A_PERIOD * (run.time[1] - run.time[0]))
-    return Spectrum(
-        floor,
-        chosen,
-        damping,
-        np.asarray(core.spectrum(run.time.tolist(), accelerations.tolist(), list(chosen), damping)),
-    )
+    return _of_history(floor, run.time, accelerations, chosen, damping)
 
 
 def ground_spectra(run: RunData, damping: float = 0.05) -> list[Spectrum]:
     """Spectra of the ground motion of a run at its output times, one per direction in which the ground moves, named x,
     y and z; 200 periods from 0.02 s to 4 s."""
-    from pounding._native import core
-
-    periods = _chosen(None)
     return [
-        Spectrum(
-            axis,
-            periods,
-            damping,
-            np.asarray(core.spectrum(run.time.tolist(), values.tolist(), list(periods), damping)),
-        )
+        _of_history(axis, run.time, values, _chosen(None), damping)
         for axis, values in {"x": run.ground_acceleration, **run.ground_across}.items()
         if len(values) > 1 and values.any()
     ]
+
+
+def _of_history(name: str, time: np.ndarray, values: np.ndarray, periods: np.ndarray, damping: float) -> Spectrum:
+    from pounding._native import core
+
+    return Spectrum(
+        name, periods, damping, np.asarray(core.spectrum(time.tolist(), values.tolist(), list(periods), damping))
+    )
 
 
 @takes(title=text, size=optional(arguments.size))

@@ -204,13 +204,8 @@ def read_structure(name: str, group: Data) -> Structure:
     floors = group.attrs["floors"] or []
     directions = group.attrs.get("directions", ["x"])
     elevations = group.attrs["elevations"] if floors and "elevations" in group.attrs else np.full(len(floors), np.nan)
-    kinds: dict[str, Any] = {"nodes": NodeMotion, "members": MemberForces, "reactions": Reactions}
+    kinds: dict[str, Any] = {"geometry": Geometry, "nodes": NodeMotion, "members": MemberForces, "reactions": Reactions}
     parts = {key: read_fields(kind, group[key]) for key, kind in kinds.items() if key in group}
-    if "geometry" in group:
-        frame = group["geometry"]
-        indices = {name: frame[name].values.astype(int) for name in ("members", "floor_of_node")}
-        indices["members"] = indices["members"].reshape(-1, 2)
-        parts["geometry"] = read_fields(Geometry, frame, **indices)
     return read_fields(
         Structure,
         group,

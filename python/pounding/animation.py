@@ -104,7 +104,7 @@ def pressed(run: RunData, times: np.ndarray) -> np.ndarray:
 
 
 @dataclass(frozen=True, repr=False)
-class Film(printing.ReportLines, lines=printing.film):
+class Film(printing.ReportLines):
     """Frames of an animation, drawn in order."""
 
     figure: Figure

@@ -53,7 +53,7 @@ class Response(NamedTuple):
 
 
 @dataclass(frozen=True, repr=False)
-class FreeImpact(printing.ReportLines, lines=printing.free_impact):
+class FreeImpact(printing.ReportLines):
     """Result of free impacts of two bodies; every array has the shape of the closing speeds."""
 
     restitution: Values  #: separation speed over closing speed [-]

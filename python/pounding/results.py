@@ -21,10 +21,9 @@ from pounding._arguments import takes
 from pounding._checked_file import BLOCK, RESULTS, HoldsPushover, NotResults, require_whole, require_whole_image
 from pounding._comparison import worst
 from pounding._data import Data, DataArray, read_fields, to_datatree
-from pounding._devices import Device, read_devices
 from pounding._envelopes import Extremes, StructureEnvelope, read_envelopes
 from pounding._outputs import replaced
-from pounding._springs import Springs
+from pounding._springs import Device, Springs, read_devices
 from pounding._structures import FloorMotion, Geometry, MemberForces, NodeMotion, Reactions, Structure, read_structure
 from pounding.errors import InputError, excerpt
 

@@ -52,7 +52,7 @@ VIEW = Kind("view", _is_view)
 
 
 @dataclass(frozen=True, repr=False)
-class View(printing.ReportLines, lines=printing.view):
+class View(printing.ReportLines):
     """An interactive view: a page with everything in it. A notebook shows it."""
 
     html: str  #: text of the page

@@ -93,7 +93,6 @@ class Imports(unittest.TestCase):
                 "pounding._checked_file",
                 "pounding._comparison",
                 "pounding._data",
-                "pounding._devices",
                 "pounding._envelopes",
                 "pounding.errors",
                 "pounding._outputs",

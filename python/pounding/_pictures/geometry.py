@@ -135,81 +135,52 @@ def _by_floors(structure: Structure, model: LineModel) -> np.ndarray:
     moved = np.zeros((samples, len(model.nodes), 3))
     if not structure.floors:
         return moved
-    floor_of_node = _floor_of_node(structure, model)
-    heights = np.array(
-        [
-            model.nodes[floor_of_node == i, 2].mean() if np.any(floor_of_node == i) else np.nan
-            for i in range(len(structure.floors))
-        ]
-    )
+    if structure.geometry is not None:
+        floor_of_node = structure.geometry.floor_of_node
+    else:
+        floor_of_node = np.full(len(model.nodes), -1)
+        floor_of_node[model.masses] = np.arange(len(model.masses))
+    on_floors = [model.nodes[floor_of_node == floor] for floor in range(len(structure.floors))]
+    heights = np.array([nodes[:, 2].mean() if len(nodes) else np.nan for nodes in on_floors])
     if structure.geometry is not None:
         own, known = floor_heights(structure)
         heights = np.where(np.isnan(heights) & known, own, heights)
+    order = [i for i in np.argsort(heights) if np.isfinite(heights[i])]
     held = model.nodes[:, 2].min()
+
+    def plate(floor: int, position: np.ndarray) -> np.ndarray:
+        """[time, 3] displacement of a point fixed to a floor."""
+        move = np.zeros((samples, 3))
+        for j, axis in enumerate("xy"):
+            if axis in structure.along:
+                move[:, j] = structure.along[axis].displacement[:, floor]
+        if "rz" in structure.along and len(on_floors[floor]):
+            arm = position[:2] - _centre(structure, on_floors[floor], floor)
+            turn = structure.along["rz"].displacement[:, floor]
+            move[:, 0] -= turn * arm[1]
+            move[:, 1] += turn * arm[0]
+        return move
+
     for node, position in enumerate(model.nodes):
-        floor = floor_of_node[node]
-        if floor >= 0:
-            moved[:, node] = _plate(structure, model, floor_of_node, floor, position)
+        below = [i for i in order if heights[i] <= position[2]]
+        above = [i for i in order if heights[i] > position[2]]
+        if floor_of_node[node] >= 0:
+            moved[:, node] = plate(floor_of_node[node], position)
         elif position[2] > held:
-            moved[:, node] = _between(structure, model, floor_of_node, heights, held, position)
+            # Between floors, interpolated over the height; above the roof, the motion of the roof.
+            moved[:, node] = plate(below[-1], position) if below else 0.0
+            if above:
+                z = heights[below[-1]] if below else held
+                share = (position[2] - z) / (heights[above[0]] - z)
+                moved[:, node] = (1 - share) * moved[:, node] + share * plate(above[0], position)
     return moved
 
 
-def _floor_of_node(structure: Structure, model: LineModel) -> np.ndarray:
-    if structure.geometry is not None:
-        return structure.geometry.floor_of_node
-    floors = np.full(len(model.nodes), -1)
-    floors[model.masses] = np.arange(len(model.masses))
-    return floors
-
-
-def _plate(
-    structure: Structure, model: LineModel, floor_of_node: np.ndarray, floor: int, position: np.ndarray
-) -> np.ndarray:
-    """[time, 3] displacement of a point fixed to a floor."""
-    move = np.zeros((len(structure.displacement), 3))
-    for j, axis in enumerate("xy"):
-        if axis in structure.along:
-            move[:, j] = structure.along[axis].displacement[:, floor]
-    on_floor = floor_of_node == floor
-    if "rz" in structure.along and np.any(on_floor):
-        arm = position[:2] - _centre(structure, model, on_floor, floor)
-        turn = structure.along["rz"].displacement[:, floor]
-        move[:, 0] -= turn * arm[1]
-        move[:, 1] += turn * arm[0]
-    return move
-
-
-def _centre(structure: Structure, model: LineModel, on_floor: np.ndarray, floor: int) -> np.ndarray:
+def _centre(structure: Structure, on_floor: np.ndarray, floor: int) -> np.ndarray:
     """[2] reference point of a floor; the mean of its nodes if the file has no plan of it."""
     if structure.plan is None or structure.geometry is None or np.isnan(structure.plan[floor]).any():
-        return model.nodes[on_floor, :2].mean(axis=0)
+        return on_floor[:, :2].mean(axis=0)
     return structure.centre(floor)
-
-
-def _between(
-    structure: Structure,
-    model: LineModel,
-    floor_of_node: np.ndarray,
-    heights: np.ndarray,
-    held: float,
-    position: np.ndarray,
-) -> np.ndarray:
-    """[time, 3] displacement of a point between floors, interpolated over the height; above the roof, that of the
-    roof."""
-    order = [i for i in np.argsort(heights) if np.isfinite(heights[i])]
-    below = [i for i in order if heights[i] <= position[2]]
-    above = [i for i in order if heights[i] > position[2]]
-    low = (
-        _plate(structure, model, floor_of_node, below[-1], position)
-        if below
-        else np.zeros((len(structure.displacement), 3))
-    )
-    if not above:
-        return low
-    z = heights[below[-1]] if below else held
-    share = (position[2] - z) / (heights[above[0]] - z)
-    return (1 - share) * low + share * _plate(structure, model, floor_of_node, above[0], position)
 
 
 def _at_times(time: np.ndarray, values: np.ndarray, times: np.ndarray) -> np.ndarray:

@@ -7,7 +7,6 @@ from __future__ import annotations
 
 import numpy as np
 
-from pounding._devices import Device
 from pounding._pictures.geometry import (
     UNKNOWN_STOREY,
     LineModel,
@@ -17,6 +16,7 @@ from pounding._pictures.geometry import (
     nearest_on_members,
     node_displacements,
 )
+from pounding._springs import Device
 from pounding.results import Link, RunData
 
 

@@ -12,7 +12,6 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.ticker import MaxNLocator
 
-from pounding._devices import Device
 from pounding._pictures.panels import legend_beside
 from pounding._pictures.style import (
     ENERGY_UNITS,
@@ -24,7 +23,7 @@ from pounding._pictures.style import (
     picture,
     structure_colour,
 )
-from pounding._springs import Springs
+from pounding._springs import Device, Springs
 from pounding.results import RunData, Structure
 
 #: Default number of parts.
