@@ -220,13 +220,12 @@ def read_structure(name: str, group: Data) -> Structure:
 
 def _floor_motion(group: Data, i: int) -> FloorMotion:
     """The motion along direction i of the last axis. Drift and shear have that axis in space only, for x and y."""
-    motion = {key: group[key][:, :, i] for key in ("displacement", "velocity", "acceleration")}
-    for key in ("drift", "storey_shear"):
-        values = group[key]
-        if len(values.shape) == 2:
-            motion[key] = values[:] if i == 0 else np.empty((len(values), 0))
-        else:
-            motion[key] = values[:, :, i] if i < values.shape[2] else np.empty((len(values), 0))
+
+    def along(name: str) -> np.ndarray:
+        values: np.ndarray = np.atleast_3d(group[name].values)
+        return values[:, :, i] if i < values.shape[2] else np.empty((len(values), 0))
+
+    motion = {key: along(key) for key in ("displacement", "velocity", "acceleration", "drift", "storey_shear")}
     base = group.get("base_shear")
     made = FloorMotion(**motion, base_shear=base[:, i] if base is not None and i < base.shape[1] else None)
     vars(made)["labels"] = {key: f"{values.shape} [{group[key].attrs['units']}]" for key, values in motion.items()}

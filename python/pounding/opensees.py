@@ -27,8 +27,7 @@ import numpy as np
 
 from pounding import _printing as printing
 from pounding._arguments import quantity, refuse, takes, whole
-from pounding._law_parameters import Quantity
-from pounding._native import core
+from pounding._law_parameters import Quantity, number_in
 from pounding._opensees.link_process import Impact
 from pounding.contact import Law, laws
 from pounding.errors import InputError, SolverError
@@ -222,7 +221,7 @@ def link(
         raise InputError(
             f"{law.kind.name} is a jump of the velocity, which OpenSees elements cannot represent; use another law"
         )
-    opening = _length(gap)
+    opening = number_in("gap", gap, "m")
     if not (math.isfinite(opening) and opening >= 0):
         raise InputError(f"gap is {gap}, but must be finite and not negative")
     nodes = set(ops.getNodeTags())
@@ -242,10 +241,6 @@ def link(
     ops.element("genericClient", tag, *words)
     _made.append(made)
     return made
-
-
-def _length(value: Quantity) -> float:
-    return core.quantity(value, "m") if isinstance(value, str) else float(value)
 
 
 def _require_order(ops: Any, tag: int, node_i: int, node_j: int, dof: int) -> None:

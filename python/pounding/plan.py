@@ -8,7 +8,7 @@ from collections.abc import Mapping, Sequence
 from typing import Any, NamedTuple
 
 from pounding import _arguments as arguments
-from pounding._native import core
+from pounding._law_parameters import number_in
 from pounding.errors import InputError, excerpt
 
 __all__ = ["Extent", "extent", "row"]
@@ -107,8 +107,10 @@ def row(
     arguments.one_of(("x", "y"))("along", along)
     arguments.one_of(("low", "high"))("align", align)
     axis = "xy".index(along)
-    gaps = [_metres(one, "gap") for one in _each(gap, len(structures) - 1)]
-    place = [_metres(value, "start") for value in arguments.listed(arguments.quantity, "x and y")("start", start)]
+    gaps = [number_in("gap", one, "m") for one in _each(gap, len(structures) - 1)]
+    place = [
+        number_in("start", value, "m") for value in arguments.listed(arguments.quantity, "x and y")("start", start)
+    ]
     if len(place) != 2:
         raise InputError(f"start: takes x and y [m]; {excerpt(start)} was given")
     if any(one < 0 for one in gaps):
@@ -166,7 +168,7 @@ def _face(name: str, words: Mapping[str, Any]) -> float:
         raise InputError(
             f'structures.{name}.face: a row needs the distance from the axes to the faces; type "0.3 m" instead of auto'
         )
-    return _metres(face, f"structures.{name}.face")
+    return number_in(f"structures.{name}.face", face, "m")
 
 
 def _is_spatial(frame: Mapping[str, Any]) -> bool:
@@ -178,12 +180,16 @@ def _is_spatial(frame: Mapping[str, Any]) -> bool:
 
 def _extent(name: str, words: Any) -> Extent:
     frame = _frame(name, words)
-    origin = [*(_metres(value, f"structures.{name}.frame.origin") for value in frame.get("origin", ())), 0.0, 0.0]
+    origin = [
+        *(number_in(f"structures.{name}.frame.origin", value, "m") for value in frame.get("origin", ())),
+        0.0,
+        0.0,
+    ]
     if not _is_spatial(frame):
         origin[1] = 0.0
     points = [(0.0, 0.0), _size(f"structures.{name}.frame.grid", frame["grid"])] if "grid" in frame else []
     for node, position in frame.get("nodes", {}).items():
-        values = [_metres(value, f"structures.{name}.frame.nodes.{node}") for value in position]
+        values = [number_in(f"structures.{name}.frame.nodes.{node}", value, "m") for value in position]
         points.append((values[0], values[1] if len(values) == 3 else 0.0))
     if not points:
         raise InputError(f"structures.{name}.frame: has neither grid nor nodes, and so no size in plan")
@@ -208,15 +214,5 @@ def _size(place: str, grid: Mapping[str, Any]) -> tuple[float, float]:
         count = arguments.whole(1, 100_000)(f"{place}.bays", count)
         own = width[axis] if isinstance(width, Mapping) else width
         widths = own if isinstance(own, Sequence) and not isinstance(own, str) else [own] * int(count)
-        sizes.append(sum(_metres(value, f"{place}.bay_width") for value in widths))
+        sizes.append(sum(number_in(f"{place}.bay_width", value, "m") for value in widths))
     return sizes[0], sizes[1] if len(sizes) > 1 else 0.0
-
-
-def _metres(value: Any, place: str) -> float:
-    value = arguments.quantity(place, value)
-    if not isinstance(value, str):
-        return value
-    try:
-        return float(core.quantity(value, "m"))
-    except InputError as error:
-        raise InputError(f"{place}: {error}") from None

@@ -9,6 +9,7 @@ import numpy as np
 from matplotlib.axes import Axes
 
 from pounding._pictures.displacements import drawn_displacements, drawn_rotations
+from pounding._pictures.geometry import on_plate
 from pounding._pictures.panels import legend_beside, link_styles, plot_time
 from pounding._pictures.style import DASHED, ENERGY_UNITS, MM, BadRequest, engineering, largest
 from pounding.results import Link, RunData, Structure
@@ -105,9 +106,5 @@ def _of_end(structure: Structure, floor: int, link: Link) -> np.ndarray | None:
         or np.isnan(structure.plan[floor]).any()
     ):
         return None
-    centre = structure.centre(floor)
-    across = link.position[:2] - centre
-    rotation = structure.along["rz"].displacement[:, floor]
-    x = structure.along["x"].displacement[:, floor] - rotation * across[1]
-    y = structure.along["y"].displacement[:, floor] + rotation * across[0]
-    return link.direction[0] * x + link.direction[1] * y
+    moved = on_plate(structure, floor, link.position[:2] - structure.centre(floor))
+    return np.asarray(moved[:, :2] @ link.direction[:2])

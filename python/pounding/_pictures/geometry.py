@@ -149,17 +149,8 @@ def _by_floors(structure: Structure, model: LineModel) -> np.ndarray:
     held = model.nodes[:, 2].min()
 
     def plate(floor: int, position: np.ndarray) -> np.ndarray:
-        """[time, 3] displacement of a point fixed to a floor."""
-        move = np.zeros((samples, 3))
-        for j, axis in enumerate("xy"):
-            if axis in structure.along:
-                move[:, j] = structure.along[axis].displacement[:, floor]
-        if "rz" in structure.along and len(on_floors[floor]):
-            arm = position[:2] - _centre(structure, on_floors[floor], floor)
-            turn = structure.along["rz"].displacement[:, floor]
-            move[:, 0] -= turn * arm[1]
-            move[:, 1] += turn * arm[0]
-        return move
+        nodes = on_floors[floor]
+        return on_plate(structure, floor, position[:2] - _centre(structure, nodes, floor) if len(nodes) else None)
 
     for node, position in enumerate(model.nodes):
         below = [i for i in order if heights[i] <= position[2]]
@@ -174,6 +165,17 @@ def _by_floors(structure: Structure, model: LineModel) -> np.ndarray:
                 share = (position[2] - z) / (heights[above[0]] - z)
                 moved[:, node] = (1 - share) * moved[:, node] + share * plate(above[0], position)
     return moved
+
+
+def on_plate(structure: Structure, floor: int, arm: np.ndarray | None) -> np.ndarray:
+    """[time, 3] displacement of a point fixed to a floor, at `arm` (x, y) from its reference point; None if unknown."""
+    move = np.zeros((len(structure.displacement), 3))
+    for j, axis in enumerate("xy"):
+        if axis in structure.along:
+            move[:, j] = structure.along[axis].displacement[:, floor]
+    if "rz" in structure.along and arm is not None:
+        move[:, :2] += structure.along["rz"].displacement[:, floor, None] * [-arm[1], arm[0]]
+    return move
 
 
 def _centre(structure: Structure, on_floor: np.ndarray, floor: int) -> np.ndarray:

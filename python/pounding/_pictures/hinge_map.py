@@ -17,9 +17,18 @@ from matplotlib.markers import MarkerStyle
 
 from pounding._pictures.drawing import Drawing, draw_ground, frame_axes, hide_x, label_axes, project, star
 from pounding._pictures.model_picture import TITLES, label_floors, name_structures, spread_scene
-from pounding._pictures.panels import key, legend_below, note
+from pounding._pictures.panels import key, legend_below, note, strength_of
 from pounding._pictures.scene import Scene
-from pounding._pictures.style import ENERGY_UNITS, FORCE_UNITS, NARROW, YELLOW, BadRequest, engineering, picture
+from pounding._pictures.style import (
+    ENERGY_UNITS,
+    FORCE_UNITS,
+    NARROW,
+    YELLOW,
+    BadRequest,
+    engineering,
+    largest,
+    picture,
+)
 from pounding._springs import Springs
 from pounding.results import RunData, Structure
 
@@ -211,9 +220,8 @@ def _draw_mark(axes: Axes, mark: Mark, view: str, norm: Normalize, share: float,
 def _draw_impacts(axes: Axes, scene: Scene, view: str, numbers: bool, scale: float) -> None:
     """A star at every link with impacts, with their number; a diamond at the others."""
     impacts = scene.run.impacts
-    # Rigid impacts have no finite force, so their impulses set the size.
-    strength = "impulse" if not np.isfinite(impacts["peak_force"]).any() else "peak_force"
-    most = float(np.nanmax(impacts[strength], initial=0.0)) if impacts.size else 0.0
+    strength = strength_of(scene.run)
+    most = largest([impacts[strength]])
     for name, face in scene.faces.items():
         link = scene.run.links[name]
         x, y = project(face + 0.5 * scene.scale * link.gap * link.direction, view)
@@ -223,8 +231,7 @@ def _draw_impacts(axes: Axes, scene: Scene, view: str, numbers: bool, scale: flo
                 x, y, s=12 * scale**2, marker="D", facecolor="white", edgecolor="black", linewidth=0.6, zorder=6
             )
             continue
-        largest = float(np.nanmax(rows[strength], initial=0.0))
-        area = scale**2 * (50 + 200 * (largest / most if most > 0 else 0.0))
+        area = scale**2 * (50 + 200 * (largest([rows[strength]]) / most if most > 0 else 0.0))
         axes.scatter(
             x, y, s=area, marker=MarkerStyle(star()), facecolor=YELLOW, edgecolor="black", linewidth=0.5, zorder=6
         )
@@ -258,7 +265,7 @@ def _legend(run: RunData, marks: list[Mark]) -> Iterator[Line2D]:
     if any(mark.state == "beyond ultimate" for mark in marks):
         yield key("beyond its ultimate rotation", "x", 6, "black", markeredgewidth=1.0)
     if run.impacts.size:
-        force = float(np.nanmax(run.impacts["peak_force"], initial=0.0))
+        force = largest([run.impacts["peak_force"]])
         size, unit = engineering(force, FORCE_UNITS)
         words = f"impacts, at most {force / size:.3g} {unit}" if force > 0 else "impacts"
         yield key(words, MarkerStyle(star()), 9, YELLOW)

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import re
+from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.transforms import Transform
 
-from pounding._pictures.panels import legend_beside, link_styles, say
+from pounding._pictures.panels import legend_beside, link_styles, note, say
 from pounding._pictures.style import ENERGY_UNITS, FORCE_UNITS, MM, VERMILION, engineering, largest
 from pounding.results import Link, RunData
 
@@ -102,18 +103,8 @@ def draw_restitution(axes: Axes, run: RunData) -> None:
 
 def _note(axes: Axes, words: str, place: tuple[float, float], coordinates: Transform, side: str) -> None:
     """Text inside a panel at its right edge, ignored by the layout."""
-    note = axes.annotate(
-        words,
-        place,
-        (-2, 2 if side == "bottom" else -3),
-        xycoords=coordinates,
-        textcoords="offset points",
-        ha="right",
-        va=side,
-        fontsize=7,
-        color="0.25",
-    )
-    note.set_in_layout(False)
+    style: dict[str, Any] = {"xycoords": coordinates, "ha": "right", "va": side, "fontsize": 7, "color": "0.25"}
+    note(axes, words, place, (-2, 2 if side == "bottom" else -3), **style).set_in_layout(False)
 
 
 def target_restitutions(run: RunData) -> list[float]:

@@ -10,6 +10,7 @@ from matplotlib.axes import Axes
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
+from matplotlib.text import Annotation
 
 from pounding._pictures.style import LINK_COLOURS, QUIET, TIME_UNITS, largest
 from pounding.results import Link, RunData
@@ -53,9 +54,14 @@ def link_styles(run: RunData) -> Iterator[tuple[Link, dict[str, Any]]]:
         yield run.links[name], {"color": colour, "label": name, "zorder": 2 + 0.1 * rank}
 
 
-def note(axes: Axes, words: str, at: Any, offset: tuple[float, float], **style: Any) -> None:
+def strength_of(run: RunData) -> str:
+    """Column of the strength of impacts: the impulse if all are rigid, which have no finite force."""
+    return "peak_force" if np.isfinite(run.impacts["peak_force"]).any() else "impulse"
+
+
+def note(axes: Axes, words: str, at: Any, offset: tuple[float, float], **style: Any) -> Annotation:
     """Text at an offset [points] from a point."""
-    axes.annotate(words, at, offset, textcoords="offset points", **style)
+    return axes.annotate(words, at, offset, textcoords="offset points", **style)
 
 
 def say(axes: Axes, words: str) -> None:

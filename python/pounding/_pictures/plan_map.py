@@ -16,9 +16,9 @@ from matplotlib.figure import Figure
 from pounding._pictures.comparison import require_comparison
 from pounding._pictures.drawing import are_many
 from pounding._pictures.geometry import levels, outline
-from pounding._pictures.panels import note
+from pounding._pictures.panels import note, strength_of
 from pounding._pictures.scene import Scene
-from pounding._pictures.style import FORCE_UNITS, IMPULSE_UNITS, NARROW, BadRequest, engineering, picture
+from pounding._pictures.style import FORCE_UNITS, IMPULSE_UNITS, NARROW, BadRequest, engineering, largest, picture
 from pounding.results import RunData, Structure
 
 #: From little to much: drifts of structures, and forces between them.
@@ -68,7 +68,7 @@ def plan_figure(
     runs = [run] if run.no_pounding is None or compare is False or small else [run, run.no_pounding]
     drifts = [{name: largest_drift(each, each.structures[name]) for name in drawn} for each in runs]
     found = contacts(run)
-    rigid = _is_rigid(run)
+    rigid = run.impacts.size > 0 and strength_of(run) == "impulse"
     width, depth = np.ptp(scene.bounds()[:2], axis=1)
     narrow = size is not None and size[0] < NARROW
     stacked = len(runs) > 1 and (width > 1.6 * depth or narrow)
@@ -114,12 +114,7 @@ def largest_drift(run: RunData, structure: Structure) -> float:
 
 def contacts(run: RunData) -> list[Contact]:
     """One contact for every linked pair of structures, over all floors."""
-    hardest: dict[str, float] = {}
-    counts: dict[str, int] = {}
-    strength = run.impacts["impulse" if _is_rigid(run) else "peak_force"] if run.impacts.size else np.empty(0)
-    for name, value in zip(run.impacts["link"], strength):
-        hardest[name] = max(hardest.get(name, 0.0), float(np.nan_to_num(value)))
-        counts[name] = counts.get(name, 0) + 1
+    rows = {name: run.impacts_of(name) for name in run.links}
     pairs: dict[tuple[str, str], list[str]] = {}
     for name, link in run.links.items():
         if link.position is not None:
@@ -130,14 +125,9 @@ def contacts(run: RunData) -> list[Contact]:
         places = np.array([np.asarray(link.position)[:2] + 0.5 * link.gap * link.direction[:2] for link in links])
         across = np.array([-links[0].direction[1], links[0].direction[0]])
         order = np.argsort(places @ across, kind="stable")
-        strongest = max(hardest.get(name, 0.0) for name in names)
-        found.append(Contact(places[order[[0, -1]]], strongest, sum(counts.get(name, 0) for name in names)))
+        strongest = largest([rows[name][strength_of(run)] for name in names])
+        found.append(Contact(places[order[[0, -1]]], strongest, sum(len(rows[name]) for name in names)))
     return found
-
-
-def _is_rigid(run: RunData) -> bool:
-    """True for rigid impacts, which have an impulse and no finite force."""
-    return bool(run.impacts.size) and not np.isfinite(run.impacts["peak_force"]).any()
 
 
 def _draw_structure(

@@ -16,7 +16,7 @@ from pounding._mode_shapes import DRAWN_SIZE
 from pounding._pictures.geometry import nearest_on_members
 from pounding._pictures.hinge_map import placed_parts
 from pounding._pictures.scene import Motion, Scene
-from pounding._pictures.style import FORCE_UNITS, MM, YELLOW, engineering, structure_colour
+from pounding._pictures.style import FORCE_UNITS, MM, YELLOW, engineering, largest, structure_colour
 from pounding.results import Link, RunData, Structure
 
 #: Colours of parts by their state at the end of the run: elastic, yielded, beyond ultimate.
@@ -232,13 +232,13 @@ def _devices(scene: Scene, numbers: dict[str, int]) -> Iterator[Trace]:
 def _links(scene: Scene, numbers: dict[str, int]) -> Iterator[Trace]:
     """The gaps as thin lines, and a mark per link with its impacts."""
     lines, marks, texts, sizes, colours = Points(), Points(), [], [], []
-    force = {name: _peak_force(scene.run, name) for name in scene.run.links}
+    force = {name: largest([scene.run.impacts_of(name)["peak_force"]]) for name in scene.run.links}
     # In a plane, marks are in front of lines, hinges and masses.
     depth = max(
         [0.01 * float(np.ptp(scene.bounds(), axis=1).max()), *(1.2 * m.half_height for m in scene.line_models.values())]
     )
     front = np.zeros(3) if scene.is_spatial else np.array([0, -depth, 0])
-    strongest = max((value for value in force.values() if np.isfinite(value)), default=0.0)
+    strongest = max(force.values(), default=0.0)
     for link in scene.run.links.values():
         face = scene.faces[link.name]
         _follow(lines, scene, link.left, numbers[link.left], face)
@@ -248,7 +248,7 @@ def _links(scene: Scene, numbers: dict[str, int]) -> Iterator[Trace]:
         marks.rest[-1] = marks.rest[-1] + front
         texts.append(_link_text(scene.run, link))
         struck = len(scene.run.impacts_of(link.name)) > 0
-        share = force[link.name] / strongest if strongest > 0 and np.isfinite(force[link.name]) else 0.0
+        share = force[link.name] / strongest if strongest > 0 else 0.0
         sizes.append(SMALL + (LARGE - SMALL) * (0.3 + 0.7 * share) if struck else SMALL)
         colours.append(YELLOW if struck else "#ffffff")
     shown: dict[str, Any] = {"type": "scatter3d", "mode": "lines", "line": {"color": "#000000", "width": 2}}
@@ -256,10 +256,6 @@ def _links(scene: Scene, numbers: dict[str, int]) -> Iterator[Trace]:
     marker = {"symbol": "diamond", "size": sizes, "color": colours, "line": {"color": "#000000", "width": 1}}
     shown = {"type": "scatter3d", "mode": "markers", "marker": marker, "text": texts, "hoverinfo": "text"}
     yield Trace({**shown, "name": "links"}, marks, "impacts")
-
-
-def _peak_force(run: RunData, name: str) -> float:
-    return max((float(f) for f in run.impacts_of(name)["peak_force"] if np.isfinite(f)), default=0.0)
 
 
 def _link_text(run: RunData, link: Link) -> str:
