@@ -38,7 +38,7 @@ class ContactState:
 
     @property
     def closing_speed(self) -> float:
-        """Of the current or the last impact, or the design velocity of the law [m/s]."""
+        """Closing speed of the current or the last impact, or the design velocity of the law [m/s]."""
         return self._contact.history[2]
 
     @property

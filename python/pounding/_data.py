@@ -207,7 +207,7 @@ def read_fields(kind: type[Read], group: Data, **given: Any) -> Read:
         if one.name in given and one.type in _READ:
             given[one.name] = _READ[one.type](given[one.name])
     made = kind(**given)
-    # For print(); they are no field, so that equal values are equal objects.
+    # For print(). A field would make equal values different objects.
     vars(made)["labels"] = {name: array.label for name, array in arrays.items() if name in given}
     return made
 

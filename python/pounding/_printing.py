@@ -1,6 +1,6 @@
 """Text of objects in print(): names, sizes, units and peak values.
 
-Runs, structures, links and models have three lines of their own; other results have a line per array."""
+Runs, structures, links and models print three lines, other results a line per array."""
 
 from __future__ import annotations
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 
@@ -149,13 +148,7 @@ def read_springs(structure: Data) -> Springs | None:
         return None
     group = structure["springs"]
     largest = {key: data.values for key, data in group["summary"].data_vars.items()}
-    given: dict[str, Any] = {"states": largest.pop("state").tolist(), "largest": largest}
-    # Files of earlier versions lack them.
-    if "ultimate_rotation" not in group:
-        given["ultimate_rotation"] = np.full(group["names"].shape, np.nan)
-    if "negative_yield_deformation" not in group:
-        given["negative_yield_deformation"] = group["yield_deformation"].values
-    return read_fields(Springs, group, **given)
+    return read_fields(Springs, group, states=largest.pop("state").tolist(), largest=largest)
 
 
 @dataclass(frozen=True, repr=False)

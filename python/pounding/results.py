@@ -221,7 +221,7 @@ class RunData(printing.ReportLines, lines=printing.run):
             return data
 
     def _groups(self) -> Data:
-        """The same as `data`, without xarray. Raises NotResults if the file has changed since it was read."""
+        """Groups of `data`, without xarray. Raises NotResults if the file has changed since it was read."""
         name = "what was given" if isinstance(self.source, bytes) else str(self.source)
         if _header(self.source) != self.header:
             raise NotResults(f'{name} has changed since it was read; read it again: pounding.read("{name}")')

@@ -8,8 +8,9 @@ from typing import Any
 import numpy as np
 from matplotlib.axes import Axes
 
-from pounding._pictures.displacements import drawn_displacements, drawn_rotations
+from pounding._pictures.displacements import draw_displacements, draw_rotations, drawn_displacements, drawn_rotations
 from pounding._pictures.geometry import on_plate
+from pounding._pictures.histories import draw_energies, draw_forces, draw_openings
 from pounding._pictures.panels import legend_beside, link_styles, plot_time
 from pounding._pictures.style import DASHED, ENERGY_UNITS, MM, BadRequest, engineering, largest
 from pounding.results import Link, RunData, Structure
@@ -59,6 +60,14 @@ def draw_input_without_links(axes: Axes, run: RunData) -> None:
     legend_beside(axes, reverse=True)
 
 
+#: Panels over time.
+OVER_TIME: dict[str, Callable[..., None]] = {
+    "displacement": draw_displacements,
+    "rotation": draw_rotations,
+    "gap": draw_openings,
+    "force": draw_forces,
+    "energy": draw_energies,
+}
 #: Panels that can also show the run without links.
 WITHOUT_LINKS: dict[str, Callable[..., None]] = {
     "displacement": draw_displacements_without_links,

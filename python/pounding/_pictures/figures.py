@@ -9,10 +9,9 @@ from typing import Any
 from matplotlib.figure import Figure
 
 from pounding._pictures import style
-from pounding._pictures.comparison import WITHOUT_LINKS, require_comparison
-from pounding._pictures.displacements import directions_of, draw_displacements, draw_rotations, turning
+from pounding._pictures.comparison import OVER_TIME, WITHOUT_LINKS, require_comparison
+from pounding._pictures.displacements import directions_of, turning
 from pounding._pictures.hinge_map import hinges_figure
-from pounding._pictures.histories import draw_energies, draw_forces, draw_openings
 from pounding._pictures.loops import draw_loops
 from pounding._pictures.model_picture import model_figure
 from pounding._pictures.panels import gather_legends, label_time
@@ -32,13 +31,6 @@ WHOLE: dict[str, Callable[..., Figure]] = {
     "loops": loops_figure,
     "hinges": hinges_figure,
     "worst": worst_figure,
-}
-OVER_TIME: dict[str, Callable[..., None]] = {
-    "displacement": draw_displacements,
-    "rotation": draw_rotations,
-    "gap": draw_openings,
-    "force": draw_forces,
-    "energy": draw_energies,
 }
 PANELS: dict[str, Callable[..., None]] = {**OVER_TIME, "contact_loops": draw_loops}
 

@@ -3,8 +3,6 @@
 from __future__ import annotations
 
 import textwrap
-from collections.abc import Callable
-from functools import partial
 from string import ascii_lowercase
 from typing import Any
 
@@ -12,9 +10,9 @@ from matplotlib import rc_context
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from pounding._pictures.comparison import WITHOUT_LINKS, require_comparison
-from pounding._pictures.displacements import chosen_floors, directions_of, draw_displacements, draw_rotations, turning
-from pounding._pictures.histories import draw_balance_error, draw_energies, draw_forces, draw_ground, draw_openings
+from pounding._pictures.comparison import OVER_TIME, WITHOUT_LINKS, require_comparison
+from pounding._pictures.displacements import chosen_floors, directions_of, turning
+from pounding._pictures.histories import draw_balance_error, draw_ground
 from pounding._pictures.loops import draw_restitution, draw_strongest_loop
 from pounding._pictures.panels import gather_legends, label_time
 from pounding._pictures.spring_loops import draw_residuals
@@ -24,10 +22,10 @@ from pounding.results import RunData
 #: Relative heights of the rows, from the top.
 HEIGHTS = {
     "ground": 0.45,
-    "displacements": 1.3,
-    "rotations": 0.8,
-    "openings": 0.9,
-    "forces": 0.9,
+    "displacement": 1.3,
+    "rotation": 0.8,
+    "gap": 0.9,
+    "force": 0.9,
     "energy": 1.0,
     "error": 0.4,
     "residuals": 0.8,
@@ -36,11 +34,11 @@ HEIGHTS = {
 #: Height of each of several panels of displacements: in space there is one per direction.
 OF_SEVERAL = 1.0
 #: Rows omitted in small figures, in order.
-MIN_WANTED = ("error", "ground", "residuals", "impacts", "openings", "energy", "rotations", "forces")
+MIN_WANTED = ("error", "ground", "residuals", "impacts", "gap", "energy", "rotation", "force")
 #: Height of a row with relative height 1 [in].
 MIN_HEIGHT = 1.1
-#: Draws one panel.
-Panel = Callable[[Axes, RunData], Any]
+#: Panels over time.
+PANELS = {"ground": draw_ground, **OVER_TIME, "error": draw_balance_error}
 
 
 def standard_figure(
@@ -59,64 +57,51 @@ def standard_figure(
     floors to draw instead of the linked ones; BadRequest if they do not exist. `size` is that of the figure [in].
     `compare` also draws the run without links, dashed."""
     chosen = chosen_floors(run, floors or {})
-    places: dict[str, dict[str, Any]] = {
-        f"displacements {i}": {"chosen": chosen, "direction": direction}
-        for i, direction in enumerate(directions_of(run))
-    }
-    draw: dict[str, Panel] = {
-        "ground": draw_ground,
-        **{name: partial(draw_displacements, **place) for name, place in places.items()},
-        "rotations": draw_rotations,
-        "openings": draw_openings,
-        "forces": draw_forces,
-        "energy": draw_energies,
-        "error": draw_balance_error,
-    }
-    without: dict[str, Panel] = {}
     if compare:
         require_comparison(run, "run")
-        without = {name: partial(WITHOUT_LINKS["displacement"], **place) for name, place in places.items()} | {
-            name: WITHOUT_LINKS[panel]
-            for name, panel in (("rotations", "rotation"), ("openings", "gap"), ("energy", "energy"))
-        }
+    directions = directions_of(run)
     missing = {
         "ground": largest([run.ground_acceleration, *run.ground_across.values()]) == 0,
-        "rotations": not turning(run),
-        "openings": not run.links,
-        "forces": not run.links,
+        "rotation": not turning(run),
+        "gap": not run.links,
+        "force": not run.links,
         "impacts": not run.impacts.size,
         "residuals": not _has_residuals(run),
     }
-    heights: dict[str, float] = {}
+    rows: list[tuple[str, float, dict[str, Any]]] = []
     for name, height in HEIGHTS.items():
-        if name == "displacements":
-            heights |= dict.fromkeys(places, height if len(places) == 1 else OF_SEVERAL)
+        if name == "displacement":
+            height = height if len(directions) == 1 else OF_SEVERAL
+            rows += [(name, height, {"chosen": chosen, "direction": direction}) for direction in directions]
         elif not missing.get(name):
-            heights[name] = height
+            rows.append((name, height, {}))
     for name in MIN_WANTED:
-        if size is not None and 0.7 + MIN_HEIGHT * sum(heights.values()) > size[1]:
-            heights.pop(name, None)
+        if size is not None and 0.7 + MIN_HEIGHT * sum(height for _, height, _ in rows) > size[1]:
+            rows = [row for row in rows if row[0] != name]
+    heights = [height for _, height, _ in rows]
 
     with rc_context(STYLE):
-        figure = Picture(figsize=size or (7.5, 0.7 + 1.5 * sum(heights.values())), layout="constrained")
-        rows = figure.add_gridspec(len(heights), 1, height_ratios=list(heights.values()))
+        figure = Picture(figsize=size or (7.5, 0.7 + 1.5 * sum(heights)), layout="constrained")
+        grid = figure.add_gridspec(len(rows), 1, height_ratios=heights)
         histories: list[Axes] = []
         residuals: list[Axes] = []
-        for row, name in zip(range(len(heights)), [name for name in heights if name in draw]):
-            histories.append(figure.add_subplot(rows[row], sharex=histories[0] if histories else None))
-            draw[name](histories[-1], run)
-            if name in without:
-                without[name](histories[-1], run)
-            histories[-1].tick_params(labelbottom=False)
+        for i, (name, _, options) in enumerate(rows):
+            cell = grid[i]
+            if name in PANELS:
+                histories.append(figure.add_subplot(cell, sharex=histories[0] if histories else None))
+                PANELS[name](histories[-1], run, **options)
+                if compare and name in WITHOUT_LINKS:
+                    WITHOUT_LINKS[name](histories[-1], run, **options)
+                histories[-1].tick_params(labelbottom=False)
+            elif name == "residuals":
+                residuals.append(figure.add_subplot(cell))
+                draw_residuals(residuals[0], run)
+            else:
+                cells = cell.subgridspec(1, 2, wspace=0.08)
+                draw_strongest_loop(figure.add_subplot(cells[0]), run)
+                draw_restitution(figure.add_subplot(cells[1]), run)
         histories[-1].tick_params(labelbottom=True)
         label_time(histories[-1], run)
-        if "residuals" in heights:
-            residuals = [figure.add_subplot(rows[len(histories)])]
-            draw_residuals(residuals[0], run)
-        if "impacts" in heights:
-            cells = rows[-1].subgridspec(1, 2, wspace=0.08)
-            draw_strongest_loop(figure.add_subplot(cells[0]), run)
-            draw_restitution(figure.add_subplot(cells[1]), run)
         if size is not None and size[0] < NARROW:
             gather_legends(figure, histories + residuals)
         for letter, axes in zip(ascii_lowercase, figure.axes):
