@@ -5,11 +5,10 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
-from pounding.errors import InputError, excerpt
+from pounding._arguments import one_of
 
 #: Length of a ranking.
 WORST = 5
-KINDS, ORDERS = ("members", "hinges"), ("ratio", "demand")
 
 
 def worst(summary: Mapping[str, Any], kind: str = "members", by: str = "ratio") -> list[dict[str, Any]]:
@@ -35,10 +34,8 @@ def worst(summary: Mapping[str, Any], kind: str = "members", by: str = "ratio") 
     InputError
         `kind` or `by` is another one.
     """
-    if kind not in KINDS:
-        raise InputError(f"unknown kind {excerpt(kind)}; known: {', '.join(KINDS)}")
-    if by not in ORDERS:
-        raise InputError(f"unknown order {excerpt(by)}; known: {', '.join(ORDERS)}")
+    one_of(("members", "hinges"))("kind", kind)
+    one_of(("ratio", "demand"))("by", by)
     rows = [
         {"structure": name, **row}
         for name, one in (summary.get("comparison") or {}).items()

@@ -208,7 +208,7 @@ def read_fields(kind: type[Read], group: Data, **given: Any) -> Read:
             given[one.name] = _READ[one.type](given[one.name])
     made = kind(**given)
     # For print(). A field would make equal values different objects.
-    vars(made)["labels"] = {name: array.label for name, array in arrays.items() if name in given}
+    vars(made)["_labels"] = {name: array.label for name, array in arrays.items() if name in given}
     return made
 
 

@@ -17,7 +17,7 @@ LONGEST = 200
 
 def contents(one: Any) -> list[str]:
     """Names and numbers of a dataclass; then a line per array with its dimensions, unit and largest absolute value."""
-    labels: dict[str, str] = vars(one).get("labels", {})
+    labels: dict[str, str] = vars(one).get("_labels", {})
     plain: list[str] = []
     arrays: dict[str, np.ndarray] = {}
     for name, value in ((each.name, getattr(one, each.name)) for each in fields(one)):

@@ -141,7 +141,6 @@ class Run(RunData):
         """
         return floor_spectrum(self, floor, damping, periods, direction=direction)
 
-    @takes(kind=text, by=text)
     def worst(self, kind: str = "members", *, by: str = "ratio") -> list[dict[str, Any]]:
         """The five worst members or hinges of a run with `compare: no_pounding`; see `pounding.results.worst`.
 

@@ -13,7 +13,6 @@ from pounding._arguments import takes
 from pounding._data import Data, read_fields
 from pounding._envelopes import section_signs
 from pounding._springs import Springs, read_springs
-from pounding.errors import InputError, excerpt
 
 
 @dataclass(frozen=True, repr=False)
@@ -110,7 +109,7 @@ class Structure(printing.ReportLines, lines=printing.structure):
         """Directions of the floors' motion: ["x"], or ["x", "y", "rz"] in space."""
         return list(self.along)
 
-    @takes(quantity=arguments.text)
+    @takes(quantity=arguments.one_of(("displacement", "velocity", "acceleration", "drift", "storey_shear")))
     def in_all_directions(self, quantity: str = "displacement") -> np.ndarray:
         """A quantity of the floors in all directions; NaN for drifts and shears that a direction does not have.
 
@@ -129,9 +128,6 @@ class Structure(printing.ReportLines, lines=printing.structure):
         InputError
             The quantity is another one.
         """
-        known = ("displacement", "velocity", "acceleration", "drift", "storey_shear")
-        if quantity not in known:
-            raise InputError(f"unknown quantity {excerpt(quantity)}; known: {', '.join(known)}")
         missing = np.full(self.displacement.shape, np.nan)
         found = [getattr(motion, quantity) for motion in self.along.values()]
         return np.stack([values if values.shape == missing.shape else missing for values in found], axis=-1)
@@ -228,5 +224,5 @@ def _floor_motion(group: Data, i: int) -> FloorMotion:
     motion = {key: along(key) for key in ("displacement", "velocity", "acceleration", "drift", "storey_shear")}
     base = group.get("base_shear")
     made = FloorMotion(**motion, base_shear=base[:, i] if base is not None and i < base.shape[1] else None)
-    vars(made)["labels"] = {key: f"{values.shape} [{group[key].attrs['units']}]" for key, values in motion.items()}
+    vars(made)["_labels"] = {key: f"{values.shape} [{group[key].attrs['units']}]" for key, values in motion.items()}
     return made

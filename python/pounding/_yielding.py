@@ -22,10 +22,6 @@ from pounding._native import core
 from pounding.errors import InputError
 
 
-class YieldingParameter(Parameter):
-    """One parameter of a hysteretic law."""
-
-
 @dataclass(frozen=True)
 class YieldingChoice:
     """A parameter with named values; the first is the default."""
@@ -58,7 +54,7 @@ class YieldingKind:
     shape: str  #: the force as a formula
     summary: str
     source: str
-    parameters: tuple[YieldingParameter, ...]
+    parameters: tuple[Parameter, ...]
     choices: tuple[YieldingChoice, ...]
     has_corners: bool  #: True if the slope also jumps away from turning points
 
@@ -155,7 +151,7 @@ class _Kinds(Kinds[YieldingKind]):
 
 
 def _kind(entry: dict[str, Any]) -> YieldingKind:
-    parameters = tuple(YieldingParameter(*values) for values in entry["parameters"])
+    parameters = tuple(Parameter(*values) for values in entry["parameters"])
     choices = tuple(YieldingChoice(name, meaning, tuple(words)) for name, meaning, words in entry["choices"])
     return YieldingKind(**entry | {"parameters": parameters, "choices": choices})
 

@@ -8,7 +8,6 @@ from __future__ import annotations
 import html
 import json
 import math
-import sys
 from collections.abc import Mapping
 from dataclasses import dataclass
 from os import PathLike
@@ -19,7 +18,7 @@ import numpy as np
 
 from pounding import _arguments as arguments
 from pounding import _printing as printing
-from pounding._arguments import takes
+from pounding._arguments import require_package, takes
 from pounding._outputs import Kind, destination, replaced
 from pounding._pictures.drawing import VIEWS
 from pounding._pictures.scene import Scene
@@ -126,12 +125,9 @@ def view_of_run(
 
 
 def _plotly() -> str:
-    try:
-        from plotly.offline import get_plotlyjs
-    except ImportError as error:
-        raise ImportError(
-            f'a view needs plotly: type {sys.executable} -m pip install plotly, or "pounding[view]"'
-        ) from error
+    require_package("plotly")
+    from plotly.offline import get_plotlyjs
+
     return str(get_plotlyjs())
 
 
