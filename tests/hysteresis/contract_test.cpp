@@ -15,9 +15,12 @@
 #include <gtest/gtest.h>
 
 #include <pounding/hysteresis/all.hpp>
+#include "support/law_paths.hpp"
 
 namespace pounding::hysteresis {
 namespace contract_test {
+
+using test::random_path;
 
 template <class L>
 struct HysteresisContract : testing::Test {
@@ -34,37 +37,7 @@ struct HysteresisContract : testing::Test {
   double force(const State& kept) const { return law.respond(kept, kept.deformation).force; }
 };
 
-template <class Variant>
-struct TypesOf;
-template <class... L>
-struct TypesOf<std::variant<L...>> {
-  using type = testing::Types<L...>;
-};
-
-struct LawName {
-  template <class L>
-  static std::string GetName(int) {
-    return std::string(L::name);
-  }
-};
-
-TYPED_TEST_SUITE(HysteresisContract, TypesOf<AnyLaw>::type, LawName);
-
-/// Turning points: the majority within a few yield deformations, some far out, some close to the previous one.
-std::vector<double> random_path(std::mt19937& random, double dy, int max_turns = 12) {
-  std::uniform_real_distribution<double> near(-2, 2), far(-10, 10), decades(-6, 0);
-  std::uniform_int_distribution<int> turns(1, max_turns), kind(0, 9);
-  std::vector<double> path(static_cast<std::size_t>(turns(random)));
-  double last = 0;
-  for (double& d : path) {
-    const int k = kind(random);
-    d = k < 5   ? dy * near(random)
-        : k < 8 ? dy * far(random)
-                : last + dy * std::copysign(std::pow(10, decades(random)), near(random));
-    last = d;
-  }
-  return path;
-}
+TYPED_TEST_SUITE(HysteresisContract, test::TypesOf<AnyLaw>::type, test::LawName);
 
 TYPED_TEST(HysteresisContract, IsElasticAtFirst) {
   const double d = 1e-9 * this->dy;
