@@ -134,7 +134,7 @@ struct MenegottoPinto {
   State advance(const State& kept, double d) const noexcept {
     State next = kept;
     if (turns(kept, d)) turn(next, d < kept.deformation ? -1 : 1);
-    if (next.way != 0) present(next).count = 1 + lowest(next, d);
+    if (next.way != 0 && present(next).count > 1) present(next).count = 1 + lowest(next, d).index;
     // A reversal below the tolerance is round-off.
     if (next.way * (d - next.deformation) > 0) next.deformation = d;
     return next;
@@ -180,7 +180,7 @@ struct MenegottoPinto {
     if (turns(kept, d)) turn(from, d < kept.deformation ? -1 : 1);
     double begin = kept.deformation;
     while (const std::optional<double> met = meets(from, begin, d)) {
-      const double jump = at(branch(from), *met).slope - at(older(from, *met), *met).slope;
+      const double jump = at(branch(from), *met).slope - lowest(from, *met, 1).point.slope;
       if (std::abs(jump) > 1e-9 && is_strictly_between(*met, kept.deformation, d)) return met;
       begin = *met;
       go_on(from, begin);
@@ -237,7 +237,7 @@ struct MenegottoPinto {
     // Drops a branch that began nearer than here, and one that lies below the new branch from the start, which could
     // not bound it.
     const auto holds = [&](const Branch& b) {
-      return way * (d - b.start) > 0 && rises_above(way, next, b, d) <= 2e-13 * yield_deformation();
+      return way * (d - b.start) > 0 && rises_above(way, at(next, d), at(b, d)) <= 2e-13 * yield_deformation();
     };
     int kept = 0;
     for (int i = 0; i < old.count; ++i)
@@ -249,31 +249,35 @@ struct MenegottoPinto {
 
   Point reached(const State& kept, double d) const noexcept {
     if (kept.way == 0 && d == 0) return {};
-    if (!turns(kept, d)) return at(kept.present().of[lowest(kept, d)], d);
+    if (!turns(kept, d)) return lowest(kept, d).point;
     State turned = kept;
     turn(turned, d < kept.deformation ? -1 : 1);
-    return at(turned.present().of[lowest(turned, d)], d);
+    return lowest(turned, d).point;
   }
-  /// Height of a branch above another one of its direction [m]; positive within round-off.
-  double rises_above(int way, const Branch& b, const Branch& old, double d) const noexcept {
-    return way * (at(b, d).lag - at(old, d).lag) + 1e-13 * yield_deformation();
+  /// Height of a point of a branch above that of another one of its direction [m]; positive within round-off.
+  double rises_above(int way, const Point& point, const Point& old) const noexcept {
+    return way * (point.lag - old.lag) + 1e-13 * yield_deformation();
   }
-  /// Index of the branch of the current direction that applies at d: the current one, or an older one that it has met.
-  /// Ignores the newest `newer` branches.
-  int lowest(const State& s, double d, int newer = 0) const noexcept {
+  /// A branch of the current direction, by index, and its point at a deformation.
+  struct Lowest {
+    int index = 0;
+    Point point{};
+  };
+  /// Branch of the current direction that applies at d: the current one, or an older one that it has met. Ignores the
+  /// newest `newer` branches.
+  Lowest lowest(const State& s, double d, int newer = 0) const noexcept {
     const Branches& all = s.present();
-    int lowest = 0;
+    Lowest lowest{0, at(all.of[0], d)};
     for (int i = 1; i < all.count - newer; ++i)
-      if (rises_above(s.way, all.of[i], all.of[lowest], d) < 0) lowest = i;
+      if (const Point point = at(all.of[i], d); rises_above(s.way, point, lowest.point) < 0) lowest = {i, point};
     return lowest;
   }
-  const Branch& older(const State& s, double d) const noexcept { return s.present().of[lowest(s, d, 1)]; }
   /// Ends the current branch at the deformation at which it meets an older one.
-  void go_on(State& s, double d) const noexcept { present(s).count = 1 + lowest(s, d, 1); }
+  void go_on(State& s, double d) const noexcept { present(s).count = 1 + lowest(s, d, 1).index; }
   /// Deformation at which the current branch, on the path from `begin` to d, meets an older one.
   std::optional<double> meets(const State& s, double begin, double d) const noexcept {
     if (s.present().count < 2) return {};
-    const auto above = [&](double x) { return rises_above(s.way, branch(s), older(s, x), x); };
+    const auto above = [&](double x) { return rises_above(s.way, at(branch(s), x), lowest(s, x, 1).point); };
     const double at_end = above(d);
     if (at_end < 0) return {};
     const double at_begin = above(begin);
