@@ -7,7 +7,7 @@ set(pounding_headers <algorithm> <array> <cmath> <functional> <limits> <map> <me
   <string_view> <utility> <variant> <vector> <fmt/format.h> <Eigen/Core> <Eigen/SparseCore>)
 
 # These modules may not include Eigen.
-set(pounding_without_eigen laws core links)
+set(pounding_without_eigen laws sections core links)
 
 # For code outside the time steps: -O1 takes two thirds of the compile time of -O3.
 set(pounding_light_options $<$<AND:$<CONFIG:Release>,$<CXX_COMPILER_ID:GNU,Clang>>:-O1>)
