@@ -43,9 +43,9 @@ struct MenegottoPinto : hysteresis::MadeOf<MenegottoPinto, hysteresis::Menegotto
                  hysteresis::Need::optional},
                 &MenegottoPinto::cR2}};
   using Branch = State;
-  static constexpr std::array state{StateValue<MenegottoPinto>{
-      {"branches", "", "number of branches remembered"},
-      [](const State& kept) { return static_cast<double>(kept.up.count + kept.down.count); }}};
+  static constexpr std::array state{
+      StateValue<MenegottoPinto>{{"maximum", "", "maximum reversal"}, [](const State& kept) { return kept.maximum; }},
+      StateValue<MenegottoPinto>{{"minimum", "", "minimum reversal"}, [](const State& kept) { return kept.minimum; }}};
 
   void check() const {
     laws::require_positive("Fy", Fy);
