@@ -15,7 +15,7 @@
 #include <gtest/gtest.h>
 
 #include <pounding/hysteresis/all.hpp>
-#include "support/law_paths.hpp"
+#include "support/law_contract.hpp"
 
 namespace pounding::hysteresis {
 namespace contract_test {
@@ -29,11 +29,7 @@ struct HysteresisContract : testing::Test {
   double dy = law.yield_deformation();
   double fy = law.stiffness() * law.yield_deformation();
 
-  State follow(const std::vector<double>& path) const {
-    State kept;
-    for (const double d : path) kept = law.advance(kept, d);
-    return kept;
-  }
+  State follow(const std::vector<double>& path) const { return test::follow(law, path); }
   double force(const State& kept) const { return law.respond(kept, kept.deformation).force; }
 };
 
@@ -62,54 +58,11 @@ TYPED_TEST(HysteresisContract, StandingStillChangesNothing) {
 }
 
 TYPED_TEST(HysteresisContract, SlopeIsTheDerivativeAlongTheWay) {
-  std::mt19937 random(11);
-  std::uniform_real_distribution<double> reach(-6, 6);
-  const double h = 1e-4 * this->dy;
-  int used = 0;
-  for (int i = 0; i < 2000; ++i) {
-    const auto kept = this->follow(random_path(random, this->dy));
-    const double d = reach(random) * this->dy, way = d < kept.deformation ? -1 : 1;
-    if (std::abs(d - kept.deformation) < 3 * h) continue;
-    // The slope is undefined at a corner between the points of the difference.
-    const auto before = this->law.advance(kept, d - 2 * way * h);
-    if (this->law.corner(before, d + 2 * way * h)) continue;
-    const auto difference = [&](double step) {
-      return (this->law.respond(kept, d + step).force - this->law.respond(kept, d - step).force) / (2 * step);
-    };
-    // The difference is of fourth order; the remaining error is round-off, 1e-16 fy over the step.
-    const double slope = (4 * difference(h / 2) - difference(h)) / 3;
-    EXPECT_NEAR(this->law.respond(kept, d).slope, slope, 2e-8 * this->law.stiffness())
-        << "from " << kept.deformation << " to " << d;
-    ++used;
-  }
-  EXPECT_GT(used, 1500);
+  test::expect_slope_is_the_derivative(this->law, this->dy, 2000);
 }
 
 TYPED_TEST(HysteresisContract, ItDoesNotMatterWhereAWayIsCut) {
-  std::mt19937 random(12);
-  std::uniform_real_distribution<double> part(0, 1), probe(-3, 3);
-  for (int i = 0; i < 10000; ++i) {
-    const std::vector<double> path = random_path(random, this->dy);
-    typename TypeParam::State whole, cut;
-    for (const double d : path) {
-      const double begin = cut.deformation;
-      std::vector<double> cuts(static_cast<std::size_t>(1 + i % 4));
-      for (double& x : cuts) x = part(random);
-      std::sort(cuts.begin(), cuts.end());
-      for (const double x : cuts) cut = this->law.advance(cut, begin + x * (d - begin));
-      cut = this->law.advance(cut, d);
-      whole = this->law.advance(whole, d);
-    }
-    for (const double d :
-         {whole.deformation, this->dy * probe(random), this->dy * probe(random), this->dy * probe(random)}) {
-      const double expected = this->law.respond(whole, d).force;
-      ASSERT_NEAR(this->law.respond(cut, d).force, expected, 1e-12 * this->fy) << "path " << i << ", then to " << d;
-    }
-    ASSERT_NEAR(this->law.stored(cut), this->law.stored(whole), 1e-11 * this->fy * this->dy) << "path " << i;
-    for (const StateValue<TypeParam>& value : TypeParam::state)
-      ASSERT_NEAR(value.get(cut), value.get(whole), 1e-12 * std::max(1.0, std::abs(value.get(whole))))
-          << value.info.name << " of path " << i;
-  }
+  test::expect_subdivision_is_irrelevant(this->law, this->dy);
 }
 
 TYPED_TEST(HysteresisContract, NothingButTheDeformationChangesInTheElasticRange) {
@@ -186,26 +139,7 @@ TYPED_TEST(HysteresisContract, WorkIsTheIntegralOfTheForce) {
   }
 }
 
-// The total lost energy stays near its running maximum, and at it for a law that stores no energy.
-TYPED_TEST(HysteresisContract, EnergyIsOnlyLost) {
-  std::mt19937 random(15);
-  const double unit = this->fy * this->dy, allowed = (gives_back<TypeParam> + 1e-11) * unit;
-  for (int i = 0; i < 3000; ++i) {
-    typename TypeParam::State kept;
-    double all = 0, maximum = 0;
-    for (const double d : random_path(random, this->dy)) {
-      const double begin = kept.deformation;
-      for (int part = 1; part <= 4; ++part) {
-        const double next = begin + 0.25 * part * (d - begin);
-        all += lost(this->law, kept, next);
-        maximum = std::max(maximum, all);
-        ASSERT_GE(all, maximum - allowed) << "path " << i << ", from " << kept.deformation << " to " << next;
-        kept = this->law.advance(kept, next);
-        ASSERT_GE(this->law.stored(kept), 0);
-      }
-    }
-  }
-}
+TYPED_TEST(HysteresisContract, EnergyIsOnlyLost) { test::expect_energy_is_only_lost(this->law, this->dy); }
 
 TYPED_TEST(HysteresisContract, TheLossIsTheWorkLessWhatIsStored) {
   std::mt19937 random(22);
@@ -222,26 +156,7 @@ TYPED_TEST(HysteresisContract, TheLossIsTheWorkLessWhatIsStored) {
 }
 
 TYPED_TEST(HysteresisContract, ACycleThatRepeatsGivesNoEnergy) {
-  std::mt19937 random(16);
-  std::uniform_real_distribution<double> reach(-2, 2);
-  for (int i = 0; i < 300; ++i) {
-    typename TypeParam::State kept = this->follow(random_path(random, this->dy));
-    const double begin = kept.deformation;
-    std::vector<double> cycle(static_cast<std::size_t>(1 + i % 4));
-    for (double& d : cycle) d = begin + reach(random) * this->dy;
-    cycle.push_back(begin);
-    double work = 0;
-    for (int j = 0; j < 100; ++j) {
-      work = 0;
-      const double stored = this->law.stored(kept);
-      for (const double d : cycle) {
-        work += this->law.work(kept, d);
-        kept = this->law.advance(kept, d);
-      }
-      work -= this->law.stored(kept) - stored;
-    }
-    ASSERT_GE(work, -1e-11 * this->fy * this->dy) << "cycle " << i;
-  }
+  test::expect_repeated_cycles_give_no_energy(this->law, this->dy);
 }
 
 TYPED_TEST(HysteresisContract, SlopesJumpAtCornersAndNowhereElse) {

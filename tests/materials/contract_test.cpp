@@ -15,7 +15,7 @@
 #include <gtest/gtest.h>
 
 #include <pounding/materials/all.hpp>
-#include "support/law_paths.hpp"
+#include "support/law_contract.hpp"
 
 namespace pounding::materials {
 namespace contract_test {
@@ -31,11 +31,7 @@ struct MaterialContract : testing::Test {
   double fy = law.stiffness() * dy;
   State fresh{};
 
-  State follow(const std::vector<double>& path) const {
-    State kept;
-    for (const double strain : path) kept = law.advance(kept, strain);
-    return kept;
-  }
+  State follow(const std::vector<double>& path) const { return test::follow(law, path); }
 };
 
 TYPED_TEST_SUITE(MaterialContract, test::TypesOf<AnyMaterial>::type, test::LawName);
@@ -63,51 +59,11 @@ TYPED_TEST(MaterialContract, AnAcceptedStrainAgainChangesNothing) {
 }
 
 TYPED_TEST(MaterialContract, TheSlopeIsTheDerivative) {
-  std::mt19937 random(11);
-  std::uniform_real_distribution<double> reach(-6, 6);
-  const double h = 1e-4 * this->dy;
-  int used = 0;
-  for (int i = 0; i < 10000; ++i) {
-    const auto kept = this->follow(random_path(random, this->dy));
-    const double strain = reach(random) * this->dy, way = strain < kept.deformation ? -1 : 1;
-    if (std::abs(strain - kept.deformation) < 3 * h) continue;
-    // The slope is undefined at a corner between the points of the difference.
-    if (this->law.corner(this->law.advance(kept, strain - 2 * way * h), strain + 2 * way * h)) continue;
-    const auto difference = [&](double step) {
-      return (this->law.respond(kept, strain + step).force - this->law.respond(kept, strain - step).force) / (2 * step);
-    };
-    // The difference is of fourth order; the remaining error is round-off, 1e-16 fy over the step.
-    const double slope = (4 * difference(h / 2) - difference(h)) / 3;
-    ASSERT_NEAR(this->law.respond(kept, strain).slope, slope, 3e-8 * this->law.stiffness())
-        << "from " << kept.deformation << " to " << strain;
-    ++used;
-  }
-  EXPECT_GT(used, 8000);
+  test::expect_slope_is_the_derivative(this->law, this->dy, 10000);
 }
 
 TYPED_TEST(MaterialContract, AMonotonicPathMayBeSubdivided) {
-  std::mt19937 random(12);
-  std::uniform_real_distribution<double> fraction(0, 1), probe(-3, 3);
-  for (int i = 0; i < 10000; ++i) {
-    typename TypeParam::State whole, cut;
-    for (const double strain : random_path(random, this->dy)) {
-      const double begin = cut.deformation;
-      std::vector<double> cuts(static_cast<std::size_t>(1 + i % 4));
-      for (double& x : cuts) x = fraction(random);
-      std::sort(cuts.begin(), cuts.end());
-      for (const double x : cuts) cut = this->law.advance(cut, begin + x * (strain - begin));
-      cut = this->law.advance(cut, strain);
-      whole = this->law.advance(whole, strain);
-    }
-    for (const double strain : {whole.deformation, this->dy * probe(random), this->dy * probe(random)}) {
-      const Answer expected = this->law.respond(whole, strain);
-      ASSERT_NEAR(this->law.respond(cut, strain).force, expected.force, 1e-12 * this->fy)
-          << "path " << i << ", then to " << strain;
-    }
-    for (const StateValue<TypeParam>& value : TypeParam::state)
-      ASSERT_NEAR(value.get(cut), value.get(whole), 1e-12 * std::max(1.0, std::abs(value.get(whole))))
-          << value.info.name << " of path " << i;
-  }
+  test::expect_subdivision_is_irrelevant(this->law, this->dy);
 }
 
 TYPED_TEST(MaterialContract, WorkIsTheIntegralOfTheStress) {
@@ -127,50 +83,11 @@ TYPED_TEST(MaterialContract, WorkIsTheIntegralOfTheStress) {
   }
 }
 
-// Total lost energy stays near its running maximum, also over closed cycles.
-TYPED_TEST(MaterialContract, EnergyIsOnlyLost) {
-  std::mt19937 random(15);
-  const double unit = this->fy * this->dy, allowed = (hysteresis::gives_back<TypeParam> + 1e-11) * unit;
-  for (int i = 0; i < 3000; ++i) {
-    typename TypeParam::State kept;
-    double all = 0, maximum = 0;
-    std::vector<double> path = random_path(random, this->dy);
-    path.push_back(0);
-    for (const double strain : path) {
-      const double begin = kept.deformation;
-      for (int quarter = 1; quarter <= 4; ++quarter) {
-        const double next = begin + 0.25 * quarter * (strain - begin);
-        all += hysteresis::lost(this->law, kept, next);
-        maximum = std::max(maximum, all);
-        ASSERT_GE(all, maximum - allowed) << "path " << i << ", from " << kept.deformation << " to " << next;
-        kept = this->law.advance(kept, next);
-        ASSERT_GE(this->law.stored(kept), -1e-14 * unit);
-      }
-    }
-  }
-}
+TYPED_TEST(MaterialContract, EnergyIsOnlyLost) { test::expect_energy_is_only_lost(this->law, this->dy); }
 
 TYPED_TEST(MaterialContract, ACycleThatRepeatsGivesNoEnergy) {
   if (!TypeParam::forgets_small_reversals) GTEST_SKIP() << "repeated cycles drift; EnergyIsOnlyLost bounds the sum";
-  std::mt19937 random(16);
-  std::uniform_real_distribution<double> reach(-2, 2);
-  for (int i = 0; i < 300; ++i) {
-    auto kept = this->follow(random_path(random, this->dy));
-    const double begin = kept.deformation;
-    std::vector<double> cycle(static_cast<std::size_t>(1 + i % 4));
-    for (double& strain : cycle) strain = begin + reach(random) * this->dy;
-    cycle.push_back(begin);
-    double work = 0;
-    for (int j = 0; j < 100; ++j) {
-      work = this->law.stored(kept);
-      for (const double strain : cycle) {
-        work += this->law.work(kept, strain);
-        kept = this->law.advance(kept, strain);
-      }
-      work -= this->law.stored(kept);
-    }
-    ASSERT_GE(work, -1e-11 * this->fy * this->dy) << "cycle " << i;
-  }
+  test::expect_repeated_cycles_give_no_energy(this->law, this->dy);
 }
 
 TYPED_TEST(MaterialContract, UnloadingReturnsTheStoredEnergyDownToZeroStress) {
