@@ -12,15 +12,13 @@ import numpy as np
 from pounding._native import core
 from pounding._studies import reading
 from pounding._studies.factors import at, dotted, find
-from pounding._studies.quantities import UNITS
+from pounding._studies.quantities import UNITS, bare_limit_warning
 from pounding._studies.sampling import Points
 
 #: Range of peak accelerations of strong motion [g].
 WEAKEST, STRONGEST = 0.02, 1.5
 #: Ratio to the value of the model above which a bare number is also tried in the unit of the model.
 FAR = 5.0
-#: Plausible range of limits without a unit, by SI unit.
-PLAUSIBLE = {"m": (0.0, 1.0), "N": (1e3, math.inf)}
 #: Default exponent n of laws.
 EXPONENT = 1.5
 _NUMBER = re.compile(r"\s*[-+]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][-+]?[0-9]+)?")
@@ -34,7 +32,7 @@ def bare_number_warnings(given: Mapping[str, Any], points: Points, model: Mappin
     found = [] if "pga" in accepted else [*_accelerations(given)]
     return [
         *found,
-        *_limits(given.get("limits") or {}),
+        *filter(None, _limits(given.get("limits") or {})),
         *_factors(points, model, "pga" in accepted),
         *_laws(points, model),
     ]
@@ -64,14 +62,9 @@ def _in_g(place: str, value: Any) -> str:
 
 def _limits(given: Mapping[str, Any]) -> Iterator[str]:
     for name, value in given.items():
-        unit, number = UNITS[str(name).partition(".")[0]], reading.quantity(value, "")[0]
-        if _unit_of(value):
-            continue
-        if unit == "m/s^2" and _is_like_g(number):
-            yield _in_g(f"study.limits.{name}", value)
-        low, high = PLAUSIBLE.get(unit, (0.0, math.inf))
-        if number != 0 and not low <= abs(number) < high:
-            yield f"study.limits.{name}: a bare {value} is in {unit}; type its unit, as in {value} {'mm' if unit == 'm' else 'kN'}"
+        if not _unit_of(value):
+            unit, number = UNITS[str(name).partition(".")[0]], reading.quantity(value, "")[0]
+            yield bare_limit_warning(f"study.limits.{name}", number, unit)
 
 
 def _factors(points: Points, model: Mapping[str, Any], accepts_pga: bool) -> Iterator[str]:

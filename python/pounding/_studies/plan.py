@@ -33,12 +33,11 @@ from pounding._studies.plan_checks import (
     require_scales,
 )
 from pounding._studies.prepared import prepared
-from pounding._studies.quantities import UNITS, Kept, read_keep, read_limits
+from pounding._studies.quantities import UNITS, Kept, contents, every_column, read_keep, read_limits
 from pounding._studies.sampling import Points, read_points
 from pounding._studies.scaling import scale
 from pounding._studies.sections import text_with, text_without
 from pounding._studies.sources import kept_beside, read_motions
-from pounding._studies.suite_columns import contents, every_column
 from pounding._studies.template import Template
 from pounding.errors import InputError, SolverError
 from pounding.models import PARTS, Model, as_model

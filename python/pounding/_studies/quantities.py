@@ -55,7 +55,7 @@ LARGEST_DRIFT_RATIO = 0.1
 #: Implausible limits in SI: SI unit -> range of bare numbers, and the unit that was probably intended.
 _DOUBTFUL = {
     "m/s^2": (0.02, 1.5, "g"),
-    "m": (2.0, math.inf, "mm"),
+    "m": (1.0, math.inf, "mm"),
     "N": (0.0, 1e3, "kN"),
     "N s": (0.0, 10.0, "kN s"),
     "J": (0.0, 10.0, "kJ"),
@@ -231,6 +231,41 @@ def read_limits(given: Mapping[str, str]) -> tuple[tuple[str, float], ...]:
         reading.require_unit(unit, _unit(word), f"study.limits.{word}", _EXAMPLES[_unit(word)])
         found.append((word, number))
     return tuple(found)
+
+
+def contents(layout: core.Layout) -> dict[str, Any]:
+    """Structures with their floors, members and parts, and links with their quantities, for the table of a suite."""
+    structures = [
+        {
+            "name": one.name,
+            "floors": one.floors,
+            "heights": list(one.heights),
+            "quantities": [quantity for quantity in structure_values.OF_FLOORS if structure_values.has(quantity, one)],
+            "members": list(one.members),
+            "components": structure_values.kinds_of(one.components),
+            "parts": list(one.parts),
+            "hinges": list(one.hinges),
+        }
+        for one in layout.structures
+    ]
+    links = [
+        {
+            "name": name,
+            "quantities": [quantity for quantity in (*OF_LINKS, *OF_OPENINGS) if quantity != "force" or not is_rigid],
+        }
+        for name, is_rigid in layout.links
+    ]
+    return {"structures": structures, "links": links}
+
+
+def every_column(layout: core.Layout, without_links: bool) -> tuple[str, ...]:
+    """The columns of a suite; with those of the run without links if `without_links`."""
+    found: list[str] = []
+    for one in layout.structures:
+        own = structure_values.columns_of_parts(one)
+        found += own + ([f"{column}.alone" for column in own] if without_links else [])
+    found += [f"{quantity}.{link['name']}" for link in contents(layout)["links"] for quantity in link["quantities"]]
+    return (*found, "required_gap") if without_links and layout.links else tuple(found)
 
 
 def collapse_of(summary: Mapping[str, Any]) -> str:

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Mapping, Sequence
-from typing import Any
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from typing import Any, NamedTuple
 
 from pounding._native import core
 from pounding._studies import reading
@@ -29,7 +29,69 @@ UNITS = {**OF_FLOORS, **OF_TORSION, **OF_PARTS, **OF_MEMBERS}
 OF_KERNEL = ("displacement", "drift", "acceleration")
 #: Quantities in the complete summary of a run only.
 OF_WHOLE = ("storey_shear", "residual_drift", *OF_PARTS, *OF_MEMBERS)
-SUFFIXES = (".alone", ".ratio")
+Moving = core.MovingStructure
+
+
+class Kind(NamedTuple):
+    """Structures that have a quantity, and their parts with own columns."""
+
+    has: Callable[[Moving], Any]
+    lacking: str  #: what the quantity belongs to, and what to type instead
+    noun: str = "part"  #: name of a part in messages
+    parts: Callable[[Moving], Sequence[str]] = lambda one: ()
+
+
+def _floors(one: Moving) -> list[str]:
+    return [str(i + 1) for i in range(one.floors)]
+
+
+def _ends(one: Moving) -> list[str]:
+    return [f"{member}.{kind}" for member in one.members for kind in kinds_of(one.components)]
+
+
+_NAMED = "name them, as in floors: [{nodes: [a, b], elevation: 3 m}]"
+_OF_FLOORS = Kind(lambda one: one.floors, f"floors; {_NAMED}", "floor", _floors)
+_OF_STOREYS = Kind(
+    lambda one: one.floors and one.has_storeys, f"storeys; keep displacement instead, or {_NAMED}", "floor", _floors
+)
+_OF_TORSION = Kind(lambda one: one.has_plans, "rigid floors in space; keep displacement instead")
+_KINDS = {
+    "displacement": _OF_FLOORS,
+    "drift": _OF_STOREYS,
+    "acceleration": _OF_FLOORS,
+    "drift_ratio": Kind(
+        lambda one: one.heights, "storeys with heights; type storey_height, or keep drift instead", "floor", _floors
+    ),
+    "storey_shear": _OF_STOREYS,
+    "residual_drift": Kind(
+        lambda one: one.parts and one.has_storeys,
+        "structures with yielding parts and storeys; keep drift instead",
+        "floor",
+        _floors,
+    ),
+    "rotation": _OF_TORSION,
+    "edge_displacement": _OF_TORSION,
+    "ductility": Kind(lambda one: one.parts, "yielding parts; keep drift instead", parts=lambda one: one.parts),
+    "plastic_rotation": Kind(lambda one: one.hinges, "hinges; keep drift instead", parts=lambda one: one.hinges),
+    "member_force": Kind(
+        lambda one: one.members, "the members of a frame; keep storey_shear instead", "member or component", _ends
+    ),
+}
+
+
+def has(quantity: str, one: Moving) -> bool:
+    """True if a structure has a quantity."""
+    return bool(_KINDS[quantity].has(one))
+
+
+def columns_of_parts(one: Moving) -> list[str]:
+    """All columns of the floors, parts and members of a structure."""
+    return [
+        f"{quantity}.{one.name}.{part}"
+        for quantity, kind in _KINDS.items()
+        if kind.has(one)
+        for part in kind.parts(one)
+    ]
 
 
 def without_suffix(name: str) -> str:
@@ -58,7 +120,7 @@ def kinds_of(components: Sequence[str]) -> list[str]:
     return list(dict.fromkeys(one.partition(" ")[2] for one in components))
 
 
-def columns_of(word: str, structures: Mapping[str, core.MovingStructure], place: str) -> list[str]:
+def columns_of(word: str, structures: Mapping[str, Moving], place: str) -> list[str]:
     """The columns of an item of `keep:` without suffixes, such as drift.left.3. Raises InputError for a quantity that
     the model does not have, with similar names."""
     quantity, _, rest = word.partition(".")
@@ -69,88 +131,25 @@ def columns_of(word: str, structures: Mapping[str, core.MovingStructure], place:
             f'{place}: {word}: unknown structure "{first}", or a wall.{reading.did_you_mean(first, structures)} Known: '
             f"{', '.join(structures)}"
         )
-    among = [one for one in structures.values() if name in ("", one.name)]
-    having = [one for one in among if _has(quantity, one)]
+    kind, names = _KINDS[quantity], [name] if name else list(structures)
+    having = [structures[each] for each in names if kind.has(structures[each])]
     if not having:
-        raise InputError(f"{place}: {_lacking(quantity, name or ', '.join(structures), among)}")
+        raise InputError(f"{place}: {quantity} belongs to {kind.lacking}; {', '.join(names)} has none")
     found: list[str] = []
     for one in having:
+        known = {part: [part] for part in kind.parts(one)}
         if quantity in OF_MEMBERS:
-            found += _of_members(word, one, inside, place)
-        else:
-            if inside:
-                _require_inside(quantity, inside, one, f"{place}: {word}")
-            found.append(f"{quantity}.{one.name}" + (f".{inside}" if inside else ""))
-    return found
-
-
-def _has(quantity: str, one: core.MovingStructure) -> bool:
-    if quantity in OF_TORSION:
-        return one.has_plans
-    if quantity == "residual_drift":
-        return bool(one.parts) and one.has_storeys
-    if quantity == "drift_ratio":
-        return bool(one.heights)
-    if quantity in OF_PARTS:
-        return bool(one.parts if quantity == "ductility" else one.hinges)
-    if quantity in OF_MEMBERS:
-        return bool(one.members)
-    return bool(one.floors) and (one.has_storeys or quantity not in ("drift", "storey_shear"))
-
-
-def _lacking(quantity: str, names: str, among: Sequence[core.MovingStructure]) -> str:
-    if quantity in OF_TORSION:
-        return f"{quantity} is that of rigid floors in space, and {names} has none; keep displacement instead"
-    if quantity == "residual_drift":
-        return f"residual_drift is that of structures with yielding parts and storeys, and {names} has none; keep drift instead"
-    if quantity == "drift_ratio":
-        return f"drift_ratio is the drift divided by the height of the storey, and the heights of {names} are unknown; type storey_height, or keep drift instead"
-    if quantity in OF_PARTS:
-        what = "yielding parts" if quantity == "ductility" else "hinges"
-        return f"{quantity} is that of {what}, and {names} has none; keep drift instead"
-    if quantity in OF_MEMBERS:
-        return f"member_force is that of the members of a frame, and {names} has none; keep storey_shear instead"
-    if quantity in ("drift", "storey_shear") and all(one.floors for one in among):
-        return f"{quantity} is that of storeys, and {names} has no storeys; keep displacement instead"
-    return f"{quantity} is that of floors, and {names} has none; name them, as in floors: [{{nodes: [a, b], elevation: 3 m}}]"
-
-
-def _require_inside(quantity: str, inside: str, one: core.MovingStructure, place: str) -> None:
-    """Raises InputError for an unknown floor or part."""
-    if quantity in OF_PARTS:
-        known = one.parts if quantity == "ductility" else one.hinges
-        if inside not in known:
+            kinds = kinds_of(one.components)
+            groups = {member: [f"{member}.{each}" for each in kinds] for member in one.members}
+            known = {"": kinds, **{each: [each] for each in kinds}, **groups, **known}
+        if inside and inside not in known:
+            shown = f"1 (lowest) to {one.floors}" if kind.noun == "floor" else reading.shortened(list(known)) or "none"
             raise InputError(
-                f'{place}: {one.name} has no part "{inside}".{reading.did_you_mean(inside, known)} Known: {reading.shortened(known)}'
+                f'{place}: {word}: {one.name} has no {kind.noun} "{inside}".{reading.did_you_mean(inside, known)} Known: '
+                f"{shown}; {quantity}.{one.name} is the largest of all"
             )
-    elif quantity in OF_TORSION:
-        raise InputError(f"{place}: {quantity} is the largest of all floors; type {quantity}.{one.name}")
-    elif not inside.isdecimal() or not 1 <= int(inside) <= one.floors or str(int(inside)) != inside:
-        raise InputError(
-            f'{place}: {one.name} has no floor "{inside}"; its floors count from 1 at the lowest to {one.floors}'
-        )
-
-
-def _of_members(word: str, one: core.MovingStructure, inside: str, place: str) -> list[str]:
-    kinds = kinds_of(one.components)
-    if not inside:
-        return [f"member_force.{one.name}.{kind}" for kind in kinds]
-    if inside in kinds:
-        return [f"member_force.{one.name}.{inside}"]
-    member, _, kind = inside.rpartition(".")
-    if inside in one.members:
-        return [f"member_force.{one.name}.{inside}.{each}" for each in kinds]
-    if member in one.members and kind in kinds:
-        return [f"member_force.{one.name}.{inside}"]
-    if member in one.members:
-        raise InputError(
-            f'{place}: {word}: unknown component "{kind}" of {member}.{reading.did_you_mean(kind, kinds)} Known: {", ".join(kinds)}'
-        )
-    near = inside if inside.rpartition(".")[2] not in kinds else member
-    raise InputError(
-        f'{place}: {word}: {one.name} has no member "{near}".{reading.did_you_mean(near, one.members)} Known: '
-        f"{reading.shortened(one.members)}; components: {', '.join(kinds)}"
-    )
+        found += [".".join(filter(None, (quantity, one.name, each))) for each in known.get(inside, [""])]
+    return found
 
 
 def value(column: str, summary: Mapping[str, Any]) -> float:
