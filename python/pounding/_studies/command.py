@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import argparse
 import errno
+import json
 import signal
 import sys
 import threading
@@ -13,10 +15,8 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
-import numpy as np
-
 try:
-    from pounding._native import core
+    import pounding._native  # noqa: F401
 except ImportError as error:  # the program without the package, as after `make demo`
     if __name__ != "__main__":
         raise
@@ -26,34 +26,17 @@ except ImportError as error:  # the program without the package, as after `make 
 from pounding._arguments import is_encodable
 from pounding._checked_file import STUDY
 from pounding._ended import exit_code, show_warning
-from pounding._outputs import destination
-from pounding._studies import cross_check
-from pounding._studies.batches import Batch, Done
-from pounding._studies.engines import ENGINES, KERNEL, run_batch
-from pounding._studies.execution import available_cores, batch_of
-from pounding._studies.gap_commands import screening, separation
-from pounding._studies.kernel_engine import KernelEngine
-from pounding._studies.options import at_least, shard, study_parser, table_name, warn
-from pounding._studies.plan import Plan, read_plan
+from pounding._outputs import destination, tell
+from pounding._report import require_report
+from pounding._studies.options import add_shared, warn
 from pounding._studies.progress import duration_text
-from pounding._studies.study import Study, records_folder, run_plan
-from pounding._studies.suite_command import suite
-from pounding._studies.table import COPIES, Table, require_room, size_of, size_text
-from pounding._studies.table_commands import export, plot, report_of, show
+from pounding._studies.study import records_folder
+from pounding._studies.study_commands import READING, study
+from pounding._studies.suite import read_suite, run_suite
+from pounding._studies.suite_data import PERCENTS
+from pounding._studies.suite_report import report, summary
 from pounding.errors import ImplausibleWarning, InputError, SolverError
 
-VERBS = ("run", "check", "show", "merge", "plot", "export")
-#: Description of each subcommand, for the help of the command.
-_MEANINGS = {
-    "run": "run all rows (also without this name); the same command resumes a stopped study",
-    "check": "count the rows, and estimate the run time from some of them",
-    "show": "print counts and percentiles of a table, or the values and the model of one row",
-    "merge": "merge the tables of shards",
-    "plot": "draw a table: fragility, ida, gap, map or tornado",
-    "export": "write a table as CSV or Parquet",
-}
-#: Number of rows timed by `check`.
-TIMED = 20
 #: Error numbers of disks; others concern names.
 _DISK = (errno.ENOSPC, errno.EDQUOT, errno.EFBIG, errno.EIO)
 
@@ -98,7 +81,7 @@ def main(arguments: list[str] | None = None) -> int:
         with warnings.catch_warnings(), _until_terminated():
             warnings.simplefilter("always", ImplausibleWarning)
             warnings.showwarning = show_warning
-            return {"suite": suite, "separation": separation, "screen": screening}.get(name, _study)(rest)
+            return {"suite": _suite, "separation": _separation, "screen": _screen}.get(name, study)(rest)
     except BrokenPipeError:
         raise
     except (InputError, ImportError) as error:
@@ -109,7 +92,7 @@ def main(arguments: list[str] | None = None) -> int:
         again = "type the same command again to resume, with fewer processes: -j 1"
         code, said = 3, f"out of memory. Finished rows are kept; {again}"
     except OSError as error:
-        writes = name == "study" and not (rest and rest[0] in VERBS and rest[0] not in ("run", "merge"))
+        writes = name == "study" and rest[:1] not in [[verb] for verb in READING]
         on_disk = error.errno in _DISK and writes
         code, said = 3 if on_disk else 2, str(error)
         if on_disk:
@@ -122,171 +105,125 @@ def main(arguments: list[str] | None = None) -> int:
     return code
 
 
-def _study(words: list[str]) -> int:
-    if not words or words[0] in ("-h", "--help"):
-        print(_help())
-        return 0 if words else 2
-    verb, rest = (words[0], words[1:]) if words and words[0] in VERBS else ("run", words)
-    return {"run": _run, "check": _check, "show": show, "merge": _merge, "plot": plot, "export": export}[verb](rest)
-
-
-def _help() -> str:
-    """Help of the command, with one line per subcommand."""
-    width = max(map(len, _MEANINGS))
-    lines = [f"  {verb:<{width}}  {meaning}" for verb, meaning in _MEANINGS.items()]
-    return "\n".join(
-        [
-            "usage: pounding study STUDY.yaml [options of run]",
-            "       pounding study SUBCOMMAND ... [options]",
-            "",
-            "Run a model many times. Subcommands:",
-            *lines,
-            "",
-            "Options of a subcommand: pounding study run --help, pounding study show --help and so on.",
-        ]
+def _suite(words: list[str]) -> int:
+    """Returns 3 if a record failed."""
+    parser = argparse.ArgumentParser(
+        prog="pounding suite",
+        description="Run a model under each of its records, in parallel processes, and print mean, percentiles and maximum of every "
+        "floor, member, hinge and link. The same command resumes a stopped suite.",
     )
-
-
-def _run(words: list[str]) -> int:
-    parser = study_parser("run", "Run all rows of a study. The same command resumes a stopped study.")
-    parser.add_argument("study", help="study file")
+    parser.add_argument("model", help="model file with records:")
+    parser.add_argument("-o", "--output", help="table to write (default: MODEL-suite.h5 in the current folder)")
+    add_shared(parser, "--workers", "--percentile", "--json", "--quiet")
     parser.add_argument(
-        "-o", "--output", help="table to write (default: the study's name with .h5, in the current folder)"
+        "--plot", nargs="?", const="", metavar="FILE", help="also draw profiles (default: the table's name with .png)"
     )
-    parser.add_argument(
-        "-j", "--workers", type=at_least(0), help="processes (default: one per core); 0 runs in this one"
-    )
-    parser.add_argument(
-        "--executor",
-        choices=("mpi",),
-        help="mpi: the processes of mpirun -n N python3 -m mpi4py.futures -m pounding study ...",
-    )
-    parser.add_argument(
-        "--shard",
-        type=shard,
-        default=(1, 1),
-        metavar="K/N",
-        help="run only the K-th of N equal shares of the rows; combine the tables with merge",
-    )
-    parser.add_argument("--chunk", type=at_least(1), help="rows per chunk (default: half a second of run time)")
-    parser.add_argument("-q", "--quiet", action="store_true", help="print nothing")
+    parser.add_argument("--report", metavar="FILE", help="also write a report: .pdf or .html")
     options = parser.parse_args(words)
-    output = table_name(options.study, options.output)
-    if options.shard == (1, 1) or not output.is_file():
-        destination(output, STUDY)
-    if options.executor:
-        # PETSc must not start here, where it would wait for the workers.
-        core.run_alone()
-    plan = read_plan(options.study, records_folder(output))
-    warn(plan)
-    if options.shard != (1, 1):
-        output = output.with_name(f"{output.stem}.{options.shard[0]}-of-{options.shard[1]}{output.suffix}")
-    executor: Any = None
-    if options.executor:
-        from mpi4py.futures import MPIPoolExecutor
-
-        executor = MPIPoolExecutor()
-    begin = time.monotonic()
-    try:
-        done = run_plan(
-            plan,
-            output,
-            workers=options.workers,
-            executor=executor,
-            chunk=options.chunk,
-            progress=False if options.quiet else None,
-            shard=options.shard,
-        )
-    finally:
-        if executor is not None:
-            executor.shutdown()
-    if not options.quiet:
-        print(report_of(done), f"{duration_text(time.monotonic() - begin)}; {output}", sep="\n")
-    return 0
-
-
-def _check(words: list[str]) -> int:
-    parser = study_parser("check", "Read a study, count its rows and estimate its run time.")
-    parser.add_argument("study", help="study file")
-    parser.add_argument("-j", "--workers", type=at_least(0), help="processes of the study (default: one per core)")
-    options = parser.parse_args(words)
-    plan = read_plan(options.study, records_folder(table_name(options.study, None)))
-    warn(plan)
-    records, points, levels = plan.shape
-    print(f"{plan.count} rows: {records} records, {points} points of the factors, {levels} levels")
-    for factor in plan.points.factors:
-        values = (
-            f"{len(factor.values)} values"
-            if factor.values is not None
-            else factor.distribution.kind
-            if factor.distribution
-            else f"column {factor.column}"
-        )
-        print(
-            f"  {factor.name}: {values}, {', '.join(factor.of)}{f' = {factor.name} times {factor.times}' if factor.times else ''}"
-        )
-    print(
-        f"table: {size_text(size_of(plan))}, and {size_text(COPIES * size_of(plan))} of memory to write it; columns {', '.join(plan.units())}",
-        flush=True,
-    )
-    require_room(plan)
-    rows = np.unique(np.linspace(0, plan.count - 1, min(TIMED, plan.count)).astype(np.int64))
-    # The first call also reads records and models.
-    run_batch(batch_of(plan, rows))
-    batch = batch_of(plan, rows)
-    print(*_timed(batch, run_batch(batch), plan, options.workers or available_cores()), sep="\n")
-    return 0
-
-
-def _timed(batch: Batch, done: Done, plan: Plan, workers: int) -> list[str]:
-    """Report of some timed rows: engines with reasons, failures, and the estimated time of all rows."""
-    lines = []
-    for number, engine in enumerate(ENGINES):
-        mine = np.flatnonzero(done.engine == number)
-        if len(mine):
-            why = (
-                KernelEngine().why_not(batch.part(mine))
-                if engine.name == "solver" and plan.template.engine == "auto"
-                else ""
-            )
-            lines.append(
-                f"engine {engine.name}: {len(mine)} of {len(done.rows)} timed rows, {1e3 * done.seconds[mine].mean():.3g} ms each; "
-                f"about {len(mine) * plan.count // len(done.rows)} rows of all{f', since {why}' if why else ''}"
-            )
-    lines += [f"row {row}: {reason}" for row, reason in list(done.reasons.items())[:3]]
-    checked = len(cross_check.rows_to_check(plan.count)) if (done.engine == KERNEL).any() else 0
-    lines.append(
-        f"all rows take about {duration_text(float(np.mean(done.seconds)) * plan.count / workers)} on {workers} processes"
-        + (f"; {checked} of them also run with the solver" if checked else "")
-    )
-    return lines
-
-
-def _merge(words: list[str]) -> int:
-    parser = study_parser("merge", "Merge the tables of shards.")
-    parser.add_argument("study", help="study file")
-    parser.add_argument("tables", nargs="+", help="tables of the shards")
-    parser.add_argument("-o", "--output", required=True, help="table to write")
-    options = parser.parse_args(words)
-    output = table_name(options.study, options.output)
+    output = Path(options.output or f"{Path(options.model).stem}-suite.h5")
     destination(output, STUDY)
-    plan = read_plan(options.study, records_folder(output))
-    table = Table(plan, output)
-    try:
-        for one in options.tables:
-            table.merge(Path(one))
-        table.write()
-    finally:
-        table.close()
-    left = len(table.missing())
-    print(
-        report_of(Study.of(table))
-        + (
-            f"\n{left} rows are in none of the tables; type pounding study {options.study} -o {options.output} to run them"
-            if left
-            else ""
-        )
+    if options.report is not None:
+        require_report(options.report)
+    plan = read_suite(options.model, records_folder(output))
+    warn(plan)
+    begin = time.monotonic()
+    done = run_suite(plan, output, options.workers, None, False if options.quiet else None)
+    percent = tuple(options.percentile or PERCENTS)
+    if options.json:
+        print(json.dumps(summary(done, percent)))
+    elif not options.quiet:
+        print(report(done, percent))
+        print(f"\n{duration_text(time.monotonic() - begin)}; {output}")
+    sys.stdout.flush()
+    code = 3 if done.failed else 0
+    shown = max(percent) if options.percentile else 84.0
+    if options.report is not None:
+        done.report(options.report, percent=shown)
+        if not (options.json or options.quiet):
+            tell("report", options.report)
+    if options.plot is not None:
+        from pounding._pictures.style import write_picture
+
+        figure = done.profiles(percent=shown)
+        code = write_picture(figure, options.plot or output.with_suffix(".png")) or code
+    return code
+
+
+def _separation(words: list[str]) -> int:
+    from pounding._studies.separation import percentage, read_separation, run_separation
+    from pounding._studies.separation_table import table_of
+
+    parser = argparse.ArgumentParser(
+        prog="pounding separation", description="Compute the gap required by records and by the rules of codes."
     )
+    parser.add_argument("model", help="model file, with or without study: {records: ..., separation: ...}")
+    parser.add_argument("--records", nargs="+", help="files of records, or a folder, instead of the model's motion")
+    parser.add_argument("--code", action="append", help="only this code, such as EN; may be repeated")
+    parser.add_argument(
+        "--property", choices=("same", "line"), help="line: a property line between the structures (default: same)"
+    )
+    parser.add_argument(
+        "--displacements",
+        choices=("nonlinear", "elastic", "reduced"),
+        help="reduced: from motions divided by a behaviour factor, which the codes multiply back",
+    )
+    parser.add_argument("--floors", choices=("aligned", "offset"), help="floors of neighbours without elevations")
+    parser.add_argument("--similar", action="store_true", default=None, help="neighbours of similar structure")
+    parser.add_argument(
+        "--set",
+        action="append",
+        default=[],
+        metavar="KEY=VALUE",
+        help="input of the codes, such as q=3, or left.R=8 for one structure; may be repeated",
+    )
+    parser.add_argument("--quantile", action="append", default=[], help='gap for a fraction of the records: "95 %%"')
+    parser.add_argument(
+        "--probability", action="append", default=[], help='gap for a target probability of contact: "10 %%"'
+    )
+    parser.add_argument("--levels", action="store_true", help="also print the gaps of the codes at every level")
+    add_shared(parser, "--workers", "--json")
+    options = parser.parse_args(words)
+    keys = {"codes": options.code, **_inputs_of_codes(options.set)}
+    keys |= {key: getattr(options, key) for key in ("property", "displacements", "floors", "similar")}
+    plan, request = read_separation(
+        options.model,
+        options.records,
+        {key: value for key, value in keys.items() if value is not None},
+        [percentage("--quantile", one) for one in options.quantile],
+        [percentage("--probability", one) for one in options.probability],
+    )
+    warn(plan)
+    found = run_separation(plan, request, options.workers)
+    print(json.dumps(found) if options.json else table_of(found, options.levels))
+    return 0
+
+
+def _inputs_of_codes(words: list[str]) -> dict[str, Any]:
+    """Keys `behaviour` and `structures` from options such as q=3 and left.R=8."""
+    found: dict[str, Any] = {}
+    for word in words:
+        name, equals, value = word.partition("=")
+        structure, _, key = name.rpartition(".")
+        if not equals or not key or not value:
+            raise InputError(f'--set takes KEY=VALUE, such as q=3 or left.R=8; "{word}" was read')
+        place = found.setdefault("structures", {}).setdefault(structure, {}) if structure else None
+        (found.setdefault("behaviour", {}) if place is None else place)[key] = value
+    return found
+
+
+def _screen(words: list[str]) -> int:
+    from pounding._codes.screening import SEISMICITIES
+    from pounding._screening import screen, table_of
+
+    parser = argparse.ArgumentParser(
+        prog="pounding screen", description="Screen the gaps of a model by rules for existing buildings, without a run."
+    )
+    parser.add_argument("model", help="model file")
+    parser.add_argument("--seismicity", choices=SEISMICITIES, default="high", help="of the site (default: high)")
+    add_shared(parser, "--json")
+    options = parser.parse_args(words)
+    found = screen(options.model, options.seismicity)
+    print(json.dumps(found) if options.json else table_of(found))
     return 0
 
 

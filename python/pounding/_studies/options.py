@@ -1,4 +1,4 @@
-"""Options of the commands of studies: parsers, types of values, and warnings."""
+"""Options of the commands of studies: their arguments for argparse, types of values, and warnings."""
 
 from __future__ import annotations
 
@@ -8,16 +8,12 @@ import re
 import warnings
 from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 from pounding._checked_file import STUDY
 from pounding._outputs import destination
 from pounding._studies.plan import Plan
 from pounding.errors import ImplausibleWarning, InputError
-
-
-def study_parser(verb: str, meaning: str) -> argparse.ArgumentParser:
-    """The parser of a subcommand of `pounding study`."""
-    return argparse.ArgumentParser(prog=f"pounding study {verb}", description=meaning)
 
 
 def at_least(least: int) -> Callable[[str], int]:
@@ -50,17 +46,6 @@ def percentage(text: str) -> float:
     return value
 
 
-def add_percentile(parser: argparse.ArgumentParser, default: str) -> None:
-    """Adds --percentile, which may be repeated."""
-    parser.add_argument(
-        "--percentile",
-        type=percentage,
-        action="append",
-        metavar="P",
-        help=f"percentile, repeatable (default: {default})",
-    )
-
-
 def value_of_factor(text: str) -> tuple[str, str]:
     """Type for argparse: gap=20mm."""
     name, sign, value = text.partition("=")
@@ -69,16 +54,34 @@ def value_of_factor(text: str) -> tuple[str, str]:
     return name.strip(), value.strip()
 
 
-def add_where(parser: argparse.ArgumentParser) -> None:
-    """Adds --where, which may be repeated."""
-    parser.add_argument(
-        "--where",
-        type=value_of_factor,
-        action="append",
-        default=[],
-        metavar="FACTOR=VALUE",
-        help="only rows with this value of a factor, with a unit or a name: gap=20mm, law=hertz; repeatable",
-    )
+_SHARED: dict[str, dict[str, Any]] = {
+    "study": {"help": "study file"},
+    "table": {"help": "table of a study"},
+    "--workers": {"type": at_least(0), "help": "processes (default: one per core); 0 runs in this one"},
+    "--percentile": {
+        "type": percentage,
+        "action": "append",
+        "metavar": "P",
+        "help": "percentile, repeatable (default: 16, 50 and 84; 50 for a map, which has one)",
+    },
+    "--where": {
+        "type": value_of_factor,
+        "action": "append",
+        "default": [],
+        "metavar": "FACTOR=VALUE",
+        "help": "only rows with this value of a factor, with a unit or a name: gap=20mm, law=hertz; repeatable",
+    },
+    "--limit": {"help": "limit of a fragility curve, with a unit or in the unit of the column: 5 MN"},
+    "--json": {"action": "store_true", "help": "print one JSON object with all numbers in SI"},
+    "--quiet": {"action": "store_true", "help": "print nothing"},
+}
+_SHORT = {"--workers": "-j", "--quiet": "-q"}
+
+
+def add_shared(parser: argparse.ArgumentParser, *names: str) -> None:
+    """Adds arguments that several commands have."""
+    for name in names:
+        parser.add_argument(*filter(None, (_SHORT.get(name), name)), **_SHARED[name])
 
 
 def warn(plan: Plan) -> None:

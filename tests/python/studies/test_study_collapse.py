@@ -16,7 +16,7 @@ import numpy as np
 import pounding
 from pounding.errors import InputError
 from pounding._studies import command
-from pounding._studies.table_commands import report_of
+from pounding._studies.study_commands import report_of
 from pounding._studies.batches import COLLAPSED, DONE, EXCEEDED, STATUSES
 from pounding._studies.plan import make_plan
 from pounding._studies.quantities import Kept
