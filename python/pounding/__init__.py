@@ -47,8 +47,10 @@ if TYPE_CHECKING:
     from pounding._screening import screen
     from pounding._spectra import Spectrum, record_spectrum
     from pounding._studies.separation import separation
-    from pounding._studies.study import Study, study, sweep
-    from pounding._studies.suite import Suite, suite
+    from pounding._studies.study import study, sweep
+    from pounding._studies.study_table import Study
+    from pounding._studies.suite import suite
+    from pounding._studies.suite_data import Suite
     from pounding._yielding import Loop, YieldingLaw, hysteresis
     from pounding.contact import FreeImpact, Law, Response, calibrate, laws
     from pounding.errors import AccuracyWarning, ImplausibleWarning, InputError, Interrupted, SolverError
@@ -115,8 +117,10 @@ _MODULES = {
     "_screening": ("screen",),
     "_spectra": ("Spectrum", "record_spectrum"),
     "_studies.separation": ("separation",),
-    "_studies.study": ("Study", "study", "sweep"),
-    "_studies.suite": ("Suite", "suite"),
+    "_studies.study": ("study", "sweep"),
+    "_studies.study_table": ("Study",),
+    "_studies.suite": ("suite",),
+    "_studies.suite_data": ("Suite",),
     "_yielding": ("Loop", "YieldingLaw", "hysteresis"),
 }
 _HOMES = {name: module for module, names in _MODULES.items() for name in names}

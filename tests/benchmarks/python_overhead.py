@@ -18,7 +18,7 @@ from pounding._native import core
 from pounding._studies.engines import run_batch
 from pounding._studies.execution import batch_of
 from pounding._studies.plan import make_plan
-from pounding._studies.prepared import prepared
+from pounding._studies.template import prepared
 
 ROOT = Path(__file__).resolve().parents[2]
 TIMES = 40

@@ -24,7 +24,7 @@ def main(arguments: list[str] | None = None) -> int:
     parser.add_argument("--spectra", help="file with the spectra of the ground motion as a JSON object")
     options = parser.parse_args(arguments)
     if _is_table(options.results):
-        from pounding._studies.suite import Suite
+        from pounding._studies.suite_data import Suite
 
         write_suite_report(Suite.open(options.results), options.output)
         tell("report", options.output)

@@ -1,16 +1,18 @@
-"""Probability distributions of factors."""
+"""Probability distributions of factors, and the modules of scipy, imported on first use so that workers and pictures do
+not load them."""
 
 from __future__ import annotations
 
+import importlib
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from types import ModuleType
 from typing import Any
 
 import numpy as np
 
 from pounding._studies import reading
-from pounding._studies.scipy_stats import stats
 from pounding.errors import InputError
 
 #: Kinds of distributions.
@@ -142,3 +144,23 @@ def _bounds(truncate: Sequence[str] | None, unit: str, place: str) -> tuple[floa
     if low >= high:
         raise InputError(f"{place}: truncate takes a lower and an upper limit")
     return low, high
+
+
+def stats() -> ModuleType:
+    """scipy.stats. Raises InputError with the command to install it."""
+    return _part("scipy.stats")
+
+
+def special() -> ModuleType:
+    """scipy.special, which imports faster than scipy.stats. Raises InputError with the command to install it."""
+    return _part("scipy.special")
+
+
+def _part(name: str) -> ModuleType:
+    try:
+        return importlib.import_module(name)
+    except ImportError as error:
+        raise InputError(
+            "samples, distributions and bands of studies need scipy, which is not installed. Type `python3 -m pip install scipy`, "
+            "or `make python-test` in the source directory and set POUNDING_PYTHON to .venv-test/bin/python3"
+        ) from error

@@ -1,7 +1,13 @@
-"""Engines that compute the columns of rows. `ENGINES` is the list to extend with another engine."""
+"""Engines that compute the columns of rows, and functions of a worker process. `ENGINES` is the list to extend with
+another engine. Imports neither h5py nor scipy, so that workers start quickly."""
 
 from __future__ import annotations
 
+import multiprocessing
+import multiprocessing.connection
+import os
+import signal
+import threading
 from collections.abc import Callable
 from dataclasses import replace
 from time import perf_counter
@@ -9,11 +15,11 @@ from typing import Protocol
 
 import numpy as np
 
+from pounding._native import core
 from pounding._studies.batches import COLLAPSED, DONE, EXCEEDED, FAILED, NOT_RUN, REFUSED, Batch, Done, nothing_of
 from pounding._studies.kernel_engine import KernelEngine
-from pounding._studies.prepared import prepared
 from pounding._studies.quantities import collapse_of
-from pounding._studies.template import Template
+from pounding._studies.template import Template, prepared
 from pounding.errors import InputError, shortened
 
 
@@ -155,3 +161,32 @@ def run_batch(batch: Batch) -> Done:
             f"engine: {batch.engine} cannot run this row: {done.reasons.get(row, 'it does not support the study')}; remove engine to use the solver"
         )
     return done
+
+
+def begin_worker() -> None:
+    """Prepares a worker process: it ignores Ctrl-C and SIGHUP, ends with its parent, and limits BLAS to one
+    thread."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    signal.signal(signal.SIGHUP, signal.SIG_IGN)
+    threading.Thread(target=_end_with_driver, daemon=True).start()
+    for name in ("OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS", "MKL_NUM_THREADS"):
+        os.environ.setdefault(name, "1")
+
+
+def _end_with_driver() -> None:
+    """Ends this process when its parent has ended."""
+    driver = multiprocessing.parent_process()
+    if driver is not None:
+        multiprocessing.connection.wait([driver.sentinel])
+        os._exit(1)
+
+
+def say_hello() -> str:
+    """Returns once a worker has started and imported the package."""
+    return str(core.version)
+
+
+def run_alone(batch: Batch) -> Done:
+    """Same as run_batch, in a worker that MPI may have started together with others."""
+    core.run_alone()
+    return run_batch(batch)

@@ -39,11 +39,9 @@ from pounding._studies.batches import (
     nothing_of,
     side_by_side,
 )
-from pounding._studies.cross_check import rows_to_check
-from pounding._studies.engines import ENGINES, KERNEL, run_batch, run_kernel
+from pounding._studies.engines import ENGINES, KERNEL, begin_worker, run_alone, run_batch, run_kernel, say_hello
 from pounding._studies.plan import Plan
-from pounding._studies.table import Table
-from pounding._studies.worker import begin_worker, run_alone, say_hello
+from pounding._studies.table import Table, rows_to_check
 from pounding.errors import InputError, SolverError, excerpt
 
 #: Target run time of a chunk [s]; schedulers have an overhead of 0.2 to 1 ms per chunk.

@@ -12,7 +12,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from pounding._arguments import numbers, takes
-from pounding._studies.scipy_stats import special
+from pounding._studies.distributions import special
 from pounding.errors import InputError
 
 

@@ -11,8 +11,8 @@ import numpy as np
 
 from pounding._arguments import number, one_of, takes, text
 from pounding._native import core
+from pounding._studies.distributions import stats
 from pounding._studies.quantities import bare_limit_warning
-from pounding._studies.scipy_stats import stats
 from pounding.errors import ImplausibleWarning, InputError
 
 _CONFIDENCE = number(0, 0.999999)

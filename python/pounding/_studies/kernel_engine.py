@@ -15,11 +15,9 @@ import numpy as np
 from pounding._native import core
 from pounding._studies.batches import DONE, EXCEEDED, Batch, Done, nothing_of, side_by_side
 from pounding._studies.factors import at
-from pounding._studies.kernel_columns import OF_KERNEL, Found, column_of, separations, step_error
-from pounding._studies.pairs import Pairs
-from pounding._studies.prepared import Last, prepared
+from pounding._studies.pairs import OF_KERNEL, Found, Pairs, column_of, separations, step_error
 from pounding._studies.quantities import Kept
-from pounding._studies.template import Template
+from pounding._studies.template import Last, Template, prepared
 from pounding.errors import InputError
 
 #: Keys of `analysis:` that the kernel supports; the others control the solver.

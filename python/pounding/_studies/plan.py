@@ -18,27 +18,27 @@ import numpy as np
 from pounding import _yaml_text as yaml_text
 from pounding._native import core
 from pounding._studies import reading
-from pounding._studies.bare_numbers import bare_number_warnings
-from pounding._studies.cut_records import cut_records, with_cuts
 from pounding._studies.factors import Factor, read_factors, with_files
 from pounding._studies.files import Files, absolute, by_content
 from pounding._studies.functions import Function, functions_of
 from pounding._studies.gap_factors import GapFactors
 from pounding._studies.motions import Intensity, implausible, measured, read_intensity, repeated, scaling_warnings
 from pounding._studies.plan_checks import (
+    bare_number_warnings,
+    cut_records,
     require_free_names,
     require_kept,
     require_one_ground,
     require_own_strength,
     require_scales,
+    with_cuts,
 )
-from pounding._studies.prepared import prepared
 from pounding._studies.quantities import UNITS, Kept, contents, every_column, read_keep, read_limits
+from pounding._studies.reading import text_with, text_without
 from pounding._studies.sampling import Points, read_points
 from pounding._studies.scaling import scale
-from pounding._studies.sections import text_with, text_without
 from pounding._studies.sources import kept_beside, read_motions
-from pounding._studies.template import Template
+from pounding._studies.template import Template, prepared
 from pounding.errors import InputError, SolverError
 from pounding.models import PARTS, Model, as_model
 

@@ -13,8 +13,8 @@ from typing import Any
 import numpy as np
 
 from pounding._studies import reading
+from pounding._studies.distributions import stats
 from pounding._studies.factors import Factor, check_units, find
-from pounding._studies.scipy_stats import stats
 from pounding.errors import InputError
 
 _DECIMAL = re.compile(

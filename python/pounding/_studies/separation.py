@@ -24,7 +24,8 @@ from pounding._studies import reading
 from pounding._studies.gaps import GapCurve, records_for_band
 from pounding._studies.percentiles import finite
 from pounding._studies.plan import Plan, plan_of, read_given
-from pounding._studies.study import Study, records_folder, run_plan
+from pounding._studies.study import records_folder, run_plan
+from pounding._studies.study_table import Study
 from pounding.errors import ImplausibleWarning, InputError, SolverError
 from pounding.models import check
 

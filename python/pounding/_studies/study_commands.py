@@ -14,7 +14,6 @@ import numpy as np
 from pounding._checked_file import STUDY
 from pounding._native import core
 from pounding._outputs import destination
-from pounding._studies import cross_check
 from pounding._studies.batches import STATUSES, Batch, Done, side_by_side
 from pounding._studies.engines import ENGINES, KERNEL, run_batch
 from pounding._studies.execution import available_cores, batch_of
@@ -24,9 +23,10 @@ from pounding._studies.plan import Plan, read_plan
 from pounding._studies.progress import duration_text
 from pounding._studies.quantities import COLLAPSED_COLUMN, OF_GAPS
 from pounding._studies.reading import shortened
-from pounding._studies.study import Study, records_folder, run_plan
+from pounding._studies.study import records_folder, run_plan
+from pounding._studies.study_table import Study
 from pounding._studies.summary import PERCENTS, percentile_table, summary
-from pounding._studies.table import COPIES, Table, require_room, size_of, size_text
+from pounding._studies.table import COPIES, Table, report_lines, require_room, rows_to_check, size_of, size_text
 from pounding.errors import InputError
 
 #: Subcommands that write no rows.
@@ -192,7 +192,7 @@ def _timed(batch: Batch, done: Done, plan: Plan, workers: int) -> list[str]:
                 f"about {len(mine) * plan.count // len(done.rows)} rows of all{f', since {why}' if why else ''}"
             )
     lines += [f"row {row}: {reason}" for row, reason in list(done.reasons.items())[:3]]
-    checked = len(cross_check.rows_to_check(plan.count)) if (done.engine == KERNEL).any() else 0
+    checked = len(rows_to_check(plan.count)) if (done.engine == KERNEL).any() else 0
     lines.append(
         f"all rows take about {duration_text(float(np.mean(done.seconds)) * plan.count / workers)} on {workers} processes"
         + (f"; {checked} of them also run with the solver" if checked else "")
@@ -305,7 +305,7 @@ def report_of(done: Study) -> str:
         )
     columns = done.description["kept"]["columns"]
     values = side_by_side([done[column] for column in columns], len(done))
-    lines += cross_check.report_lines(done.check, values, columns)
+    lines += report_lines(done.check, values, columns)
     if options := done.description.get("options"):
         lines.append(f"options of PETSc for rows of the solver: {' '.join(options)}")
     lines += [f"warning: {doubt}" for doubt in done.warnings]

@@ -5,17 +5,22 @@ from __future__ import annotations
 import hashlib
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any
+from os import PathLike
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from pounding import _arguments as arguments
 from pounding._arguments import listed, number, takes
 from pounding._studies.percentiles import order_statistic
 from pounding._studies.scaling import Scaling
-from pounding._studies.study import Study
+from pounding._studies.study_table import Study
 from pounding._studies.table import open_study
 from pounding._texts import text as text_of
 from pounding.errors import InputError
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
 
 PERCENTS = (16.0, 50.0, 84.0)
 
@@ -44,8 +49,8 @@ class Statistics:
         return cls(mean.reshape(shape), tuple(percent), found.reshape(len(percent), *shape), largest.reshape(shape))
 
 
-class SuiteData(Study):
-    """Arrays of a suite by record, and their statistics. It is also a study with one row per record."""
+class Suite(Study):
+    """Arrays of a suite by record, their statistics, pictures and report. It is also a study with one row per record."""
 
     @property
     def layout(self) -> Mapping[str, Any]:
@@ -245,6 +250,49 @@ class SuiteData(Study):
             Mean, percentiles and maximum.
         """
         return Statistics.of(np.asarray(values)[self.finished], percent)
+
+    def profiles(self, quantities: Sequence[str] | None = None, **options: Any) -> Figure:
+        """Profiles over the height: records thin, mean and 84 % thick, with and without pounding.
+
+        Parameters
+        ----------
+        quantities : sequence of str, optional
+            Quantities to draw.
+        **options
+            Options of the picture.
+
+        Returns
+        -------
+        matplotlib.figure.Figure
+            The picture.
+        """
+        from pounding._studies.suite_picture import profiles_figure
+
+        return profiles_figure(self, quantities, **options)
+
+    @takes(path=arguments.file)
+    def report(self, path: str | PathLike[str], *, percent: float = 84.0) -> None:
+        """Writes the report of the suite.
+
+        Parameters
+        ----------
+        path : str or os.PathLike
+            File to write, .pdf or .html; an existing one must be a report.
+        percent : float
+            Percentile to report with mean and maximum.
+
+        Raises
+        ------
+        InputError
+            The suffix is another one, or the file may not be replaced.
+        OSError
+            The file cannot be written.
+        ImportError
+            matplotlib is missing.
+        """
+        from pounding._report import write_suite_report
+
+        write_suite_report(self, path, percent=percent)
 
     def _columns(self, names: Sequence[str], alone: bool) -> np.ndarray:
         if alone and not self.has_comparison:

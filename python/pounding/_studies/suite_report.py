@@ -10,7 +10,7 @@ import numpy as np
 from pounding._studies.batches import STATUSES
 from pounding._studies.percentiles import finite
 from pounding._studies.scaling import Scaling
-from pounding._studies.suite_data import Statistics, SuiteData
+from pounding._studies.suite_data import Statistics, Suite
 
 GRAVITY = 9.80665  #: [m/s^2]
 #: Quantities of floors: title, unit and its size in SI.
@@ -29,7 +29,7 @@ SHOWN = 5
 MIN_DEMAND = 0.1
 
 
-def report(suite: SuiteData, percent: Sequence[float]) -> str:
+def report(suite: Suite, percent: Sequence[float]) -> str:
     """Tables of all floors, and of the members, hinges and links with the largest means."""
     lines = [_counts(suite), *_scaling(suite)]
     for name in suite.structures:
@@ -54,7 +54,7 @@ def report(suite: SuiteData, percent: Sequence[float]) -> str:
     return "\n".join(lines)
 
 
-def _counts(suite: SuiteData) -> str:
+def _counts(suite: Suite) -> str:
     status = suite["status"]
     counts = ", ".join(f"{count} {STATUSES[i]}" for i in range(len(STATUSES)) if (count := int((status == i).sum())))
     lines = [f"{len(suite)} records: {counts}"]
@@ -90,7 +90,7 @@ def scaling_text(scaling: Scaling) -> list[str]:
     ]
 
 
-def _scaling(suite: SuiteData) -> list[str]:
+def _scaling(suite: Suite) -> list[str]:
     scaling = suite.scaling
     if scaling is None:
         return []
@@ -104,7 +104,7 @@ def _scaling(suite: SuiteData) -> list[str]:
     return [*lines, *([scaling.note] if scaling.note else [])]
 
 
-def _of_floors(suite: SuiteData, name: str, quantity: str, percent: Sequence[float]) -> list[str]:
+def _of_floors(suite: Suite, name: str, quantity: str, percent: Sequence[float]) -> list[str]:
     title, unit, size = FLOORS[quantity]
     floors = [str(i + 1) for i in range(suite.structure(name)["floors"])]
     values = suite.floors(name, quantity) / size
@@ -121,7 +121,7 @@ def _of_floors(suite: SuiteData, name: str, quantity: str, percent: Sequence[flo
     )
 
 
-def _of_members(suite: SuiteData, name: str, percent: Sequence[float]) -> list[str]:
+def _of_members(suite: Suite, name: str, percent: Sequence[float]) -> list[str]:
     one = suite.structure(name)
     if not one["members"]:
         return []
@@ -142,7 +142,7 @@ def _of_members(suite: SuiteData, name: str, percent: Sequence[float]) -> list[s
     return lines
 
 
-def _of_links(suite: SuiteData, percent: Sequence[float]) -> list[str]:
+def _of_links(suite: Suite, percent: Sequence[float]) -> list[str]:
     lines = []
     for quantity in dict.fromkeys(each for link in suite.layout["links"] for each in link["quantities"]):
         names = [link["name"] for link in suite.layout["links"] if quantity in link["quantities"]]
@@ -161,7 +161,7 @@ def _block(
     names: Sequence[str],
     values: np.ndarray,
     alone: np.ndarray | None,
-    suite: SuiteData,
+    suite: Suite,
     percent: Sequence[float],
     shown: int,
 ) -> list[str]:
@@ -195,13 +195,13 @@ def _cell(value: float) -> str:
     return "-" if np.isnan(value) else f"{value:.4g}"
 
 
-def summary(suite: SuiteData, percent: Sequence[float]) -> dict[str, Any]:
+def summary(suite: Suite, percent: Sequence[float]) -> dict[str, Any]:
     """The numbers of the report in SI, for scripts; null for infinite numbers and for quantities that do not exist."""
     found: dict[str, Any] = _plain(numbers(suite, percent))
     return found
 
 
-def numbers(suite: SuiteData, percent: Sequence[float]) -> dict[str, Any]:
+def numbers(suite: Suite, percent: Sequence[float]) -> dict[str, Any]:
     """Same as `summary`, with infinite numbers, and NaN for quantities that do not exist."""
     status, model = suite["status"], suite.description["model"]
     found: dict[str, Any] = {
@@ -244,23 +244,23 @@ def numbers(suite: SuiteData, percent: Sequence[float]) -> dict[str, Any]:
     return found
 
 
-def _contacts(suite: SuiteData) -> np.ndarray:
+def _contacts(suite: Suite) -> np.ndarray:
     """[record] impacts of all links; zero without links."""
     return np.asarray(suite.of_links("impacts").sum(axis=1)) if suite.links else np.zeros(len(suite))
 
 
-def _has_forces(suite: SuiteData) -> bool:
+def _has_forces(suite: Suite) -> bool:
     """False if all links are rigid."""
     return any("force" in one["quantities"] for one in suite.layout["links"])
 
 
-def _forces(suite: SuiteData) -> np.ndarray:
+def _forces(suite: Suite) -> np.ndarray:
     """[record] largest force of all links [N]; NaN for failed records."""
     forces = suite.of_links("force")
     return np.asarray(np.fmax.reduce(forces, axis=1))
 
 
-def _of_records(suite: SuiteData) -> list[dict[str, Any]]:
+def _of_records(suite: Suite) -> list[dict[str, Any]]:
     """Name, factor, peak acceleration, status, and largest responses of each record."""
     forces = _forces(suite) if _has_forces(suite) else None
     contacts, rows = _contacts(suite), []
@@ -283,11 +283,11 @@ def _of_records(suite: SuiteData) -> list[dict[str, Any]]:
     return rows
 
 
-def _reason(suite: SuiteData, row: int) -> dict[str, str]:
+def _reason(suite: Suite, row: int) -> dict[str, str]:
     return {"reason": suite.reasons[row]} if row in suite.reasons else {}
 
 
-def _of_structure(suite: SuiteData, name: str, alone: bool, percent: Sequence[float]) -> dict[str, Any]:
+def _of_structure(suite: Suite, name: str, alone: bool, percent: Sequence[float]) -> dict[str, Any]:
     one = suite.structure(name)
     found: dict[str, Any] = {} if alone else {"floor": list(range(1, one["floors"] + 1))}
     for quantity in one["quantities"]:
@@ -362,7 +362,7 @@ def _largest(rows: Iterable[dict[str, Any]]) -> list[dict[str, Any]]:
     return sorted(every, key=lambda row: -row["demand"])[:SHOWN]
 
 
-def _numbers(suite: SuiteData, values: np.ndarray, percent: Sequence[float]) -> dict[str, Any]:
+def _numbers(suite: Suite, values: np.ndarray, percent: Sequence[float]) -> dict[str, Any]:
     found: Statistics = suite.statistics(values, percent)
     by_rank = {f"{one:g} %": found.percentiles[i].tolist() for i, one in enumerate(percent)}
     return {"mean": found.mean.tolist(), **by_rank, "max": found.max.tolist()}

@@ -20,7 +20,7 @@ from pounding.errors import InputError
 from pounding._studies.plan import read_plan
 from pounding._studies.quantities import UNITS
 from pounding._studies.reading import EXAMPLES
-from pounding._studies.scipy_stats import stats
+from pounding._studies.distributions import stats
 
 SECONDS, MEMORY = 10, 2_000_000_000
 MODEL = """\

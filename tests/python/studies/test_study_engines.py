@@ -15,13 +15,13 @@ import numpy as np
 import pounding
 from pounding.errors import InputError
 from pounding._studies import kernel_engine
-from pounding._studies.cross_check import differences, rows_to_check
+from pounding._studies.table import differences, rows_to_check
 from pounding._studies.batches import DONE, EXCEEDED, REFUSED
 from pounding._studies.engines import ENGINES, run_batch
 from pounding._studies.execution import batch_of
 from pounding._studies.factors import at
 from pounding._studies.pairs import Pairs
-from pounding._studies.places import Places
+from pounding._studies.template import Places
 from pounding._studies.plan import make_plan
 from pounding._studies.study import run_plan
 from study_samples import FACTORS, WORDS, pair
