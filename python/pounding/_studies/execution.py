@@ -42,7 +42,7 @@ from pounding._studies.batches import (
 from pounding._studies.engines import ENGINES, KERNEL, begin_worker, run_alone, run_batch, run_kernel, say_hello
 from pounding._studies.plan import Plan
 from pounding._studies.table import Table, rows_to_check
-from pounding.errors import InputError, SolverError, excerpt
+from pounding.errors import InputError, SolverError
 
 #: Target run time of a chunk [s]; schedulers have an overhead of 0.2 to 1 ms per chunk.
 CHUNK_SECONDS = 0.5
@@ -102,14 +102,6 @@ def run_rows(
             pool = stack.enter_context(_LocalPool(count))
         _run(_Work(plan, table, rows, chunk, progress, count, begun), pool, count)
         _run(_Check(plan, table, _to_check(plan, table), 1, None, count), pool, count)
-
-
-def require_count(name: str, value: int | None, least: int) -> None:
-    """Raises InputError unless the number of workers or of rows per chunk is an integer in the allowed range."""
-    if value is not None and (not isinstance(value, (int, np.integer)) or isinstance(value, bool) or value < least):
-        raise InputError(f"{name}: takes an integer of at least {least}, or None; {excerpt(value)} was read")
-    if name == "workers" and value is not None and value > MAX_WORKERS:
-        raise InputError(f"workers: takes at most {MAX_WORKERS}; {value} was read")
 
 
 def _run(work: _Work, pool: _Given | _LocalPool | None, count: int) -> None:

@@ -47,11 +47,6 @@ class Factor:
         default = {"alternatives": (), "slope": 1.0, "shift": 0.0}
         return {key: value for key, value in found.items() if key not in default or value != default[key]}
 
-    @property
-    def is_sampled(self) -> bool:
-        """True if the values are samples instead of a list."""
-        return self.values is None
-
     def word(self, value: float, held: Any) -> str:
         """The text of a value in the model; an integer if `held`, the text that it replaces, is one."""
         if self.labels:

@@ -177,13 +177,3 @@ def clopper_pearson(exceeded: float, count: int, confidence: float = 0.9) -> tup
     low = 0.0 if exceeded == 0 else float(stats().beta.ppf(tail, exceeded, count - exceeded + 1))
     high = 1.0 if exceeded == count else float(stats().beta.ppf(1 - tail, exceeded + 1, count - exceeded))
     return low, high
-
-
-def double_difference(period_a: float, damping_a: float, period_b: float, damping_b: float) -> float:
-    """Correlation rho of two oscillators under white noise (Jeng, Kasai and Maison 1992): the gap is sqrt(uA^2 + uB^2 -
-    2 rho uA uB)."""
-    r = period_a / period_b
-    above = 8 * math.sqrt(damping_a * damping_b) * (damping_a + r * damping_b) * r**1.5
-    return above / (
-        (1 - r * r) ** 2 + 4 * damping_a * damping_b * r * (1 + r * r) + 4 * (damping_a**2 + damping_b**2) * r * r
-    )

@@ -10,6 +10,7 @@ import numpy as np
 
 from pounding import _arguments as arguments
 from pounding._studies.percentiles import swings
+from pounding._studies.summary import readable_unit
 from pounding.errors import InputError
 
 if TYPE_CHECKING:
@@ -54,7 +55,7 @@ def study_figure(
 def _axis(study: Rows, column: str) -> tuple[float, str]:
     """Scale factor and label of a column in pictures."""
     sizes = np.abs(study[column])
-    divisor, unit = _unit(float(sizes[np.isfinite(sizes)].max(initial=0)), study.units.get(column, ""))
+    divisor, unit = readable_unit(float(sizes[np.isfinite(sizes)].max(initial=0)), study.units.get(column, ""))
     name = _name(column)
     return divisor, f"{name} [{unit}]" if unit else name
 
@@ -66,14 +67,6 @@ def _edge(*values: np.ndarray) -> float:
 
 def _drawn(values: np.ndarray, edge: float) -> np.ndarray:
     return np.where(np.isinf(values), edge, values)
-
-
-def _unit(size: float, unit: str) -> tuple[float, str]:
-    from pounding._pictures.style import FORCE_UNITS, engineering
-
-    if unit == "N":
-        return engineering(size, FORCE_UNITS)
-    return (1e-3, "mm") if unit == "m" and size < 1 else (1.0, unit)
 
 
 def _im_label(study: Rows) -> str:
@@ -98,7 +91,7 @@ def _value_text(study: Rows, name: str, value: float) -> str:
     labels = next((one["labels"] for one in study.description["factors"] if one["name"] == name), None)
     if labels:
         return str(labels[int(value)])
-    divisor, unit = _unit(
+    divisor, unit = readable_unit(
         float(np.abs(study[name][np.isfinite(study[name])]).max(initial=0)), study.units.get(name, "")
     )
     return f"{value / divisor:.4g} {unit}".strip()
@@ -135,7 +128,7 @@ def _fragility(
     condition = _name(column)
     if limit is not None:
         value = study.limit_of(column, limit)
-        divisor, unit = _unit(abs(value), study.units.get(column, ""))
+        divisor, unit = readable_unit(abs(value), study.units.get(column, ""))
         condition = f"{condition} > {f'{value / divisor:g} {unit}'.strip()}"
     one = [(f"{name} {_value_text(study, name, level)}", {**values, name: level}) for level in levels] or [("", values)]
     is_narrow = _width(axes) < 4.5

@@ -19,23 +19,11 @@ from pounding._studies import fragility, gaps
 from pounding._studies import percentiles as curves
 from pounding._studies.batches import COLLAPSED, COMPLETE, EXCEEDED, NOT_RUN, STATUSES
 from pounding._studies.quantities import COLLAPSED_COLUMN, bare_limit_warning
-from pounding._studies.table import open_study, read_reasons
+from pounding._studies.table import OF_0_2_0, open_study, read_reasons, warnings_of_0_2_0
 from pounding._texts import text, texts
 from pounding.errors import ImplausibleWarning, InputError, excerpt
 
 Table = TypeVar("Table", bound="Rows")
-
-
-_OLD = "was made by version 0.2.0, which counted rows that end by collapse_drift"
-
-
-def _of_version_0_2_0(path: str | PathLike[str], description: Mapping[str, Any]) -> list[str]:
-    """Warns of a table of version 0.2.0, which stores no warnings, if rows of its model may have collapsed."""
-    if "collapse_drift" not in (description["model"].get("analysis") or {}):
-        return []
-    doubt = f"{path} {_OLD} as done, with their responses until then; run the study again"
-    warnings.warn(doubt, ImplausibleWarning, stacklevel=3)
-    return [doubt]
 
 
 class Rows:
@@ -94,7 +82,7 @@ class Rows:
             description = json.loads(text(file["study/plan"][()]))["plan"]
             check = dict(zip(file["check/row"][:].tolist(), file["check/solver"][:])) if "check" in file else {}
             doubts = (
-                texts(file["study/warnings"][:]) if "study/warnings" in file else _of_version_0_2_0(path, description)
+                texts(file["study/warnings"][:]) if "study/warnings" in file else warnings_of_0_2_0(path, description)
             )
             reasons, engines = read_reasons(file), texts(file["study/engines"][:])
             return cls(columns, units, records, reasons, description, engines, Path(path), check, doubts)
@@ -103,11 +91,13 @@ class Rows:
         return len(self.columns["status"])
 
     def __repr__(self) -> str:
-        status = self.columns["status"]
-        counts = ", ".join(
-            f"{count} {STATUSES[i]}" for i in range(len(STATUSES)) if (count := int((status == i).sum()))
-        )
+        counts = ", ".join(f"{count} {word}" for word, count in self.counts.items() if count)
         return f"<pounding.Study of {len(self)} rows: {counts}; columns {', '.join(self.columns)}>"
+
+    @property
+    def counts(self) -> dict[str, int]:
+        """Number of rows by status, in words."""
+        return dict(zip(STATUSES, np.bincount(self.columns["status"], minlength=len(STATUSES)).tolist()))
 
     def __getitem__(self, column: str) -> np.ndarray:
         """A column; "collapsed" is 1 in rows that ended at collapse_drift and 0 in others. Raises InputError for an
@@ -396,7 +386,7 @@ class Rows:
             raise InputError(
                 "no row of this study can collapse: its model has no analysis: {collapse_drift: 10 %}; type it and run the study again"
             )
-        if any(_OLD in doubt for doubt in self.warnings):
+        if any(OF_0_2_0 in doubt for doubt in self.warnings):
             raise InputError("this table of version 0.2.0 does not say which rows collapsed; run the study again")
 
     def _im(self) -> np.ndarray:

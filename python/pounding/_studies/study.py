@@ -13,7 +13,7 @@ from pounding import _arguments as arguments
 from pounding._arguments import takes
 from pounding._checked_file import STUDY
 from pounding._outputs import destination
-from pounding._studies.execution import Progress, require_count, run_rows
+from pounding._studies.execution import MAX_WORKERS, Progress, run_rows
 from pounding._studies.plan import Plan, make_plan, plan_of, read_given
 from pounding._studies.progress import Shown
 from pounding._studies.study_table import Study
@@ -119,8 +119,6 @@ def study(
         "limits": limits,
     }
     given = {name: value for name, value in words.items() if value is not None}
-    require_count("workers", workers, 0)
-    require_count("chunk", chunk, 1)
     if output is not None:
         destination(arguments.file("output", output), STUDY)
     path = None if output is None else Path(output)
@@ -212,6 +210,7 @@ def sweep(
     )
 
 
+@takes(workers=arguments.optional(arguments.whole(0, MAX_WORKERS)), chunk=arguments.optional(arguments.whole(1)))
 def run_plan(
     plan: Plan,
     path: Path | None,
@@ -223,8 +222,6 @@ def run_plan(
     shard: tuple[int, int] = (1, 1),
 ) -> Study:
     """Runs the rows of a plan that are missing in `path`; for shard (k, n) only the k-th of n equal shares."""
-    require_count("workers", workers, 0)
-    require_count("chunk", chunk, 1)
     _require_picklable(plan, workers, executor)
     table = Table(plan, path)
     rows = table.missing()

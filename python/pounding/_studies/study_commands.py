@@ -282,8 +282,7 @@ def _export(options: Any) -> int:
 
 def report_of(done: Study) -> str:
     """Counts of rows, reasons of failures, and warnings."""
-    status = done["status"]
-    lines = [", ".join(f"{count} {word}" for i, word in enumerate(STATUSES) if (count := int((status == i).sum())))]
+    lines = [", ".join(f"{count} {word}" for word, count in done.counts.items() if count)]
     if collapsed := done.collapsed:
         row = min(collapsed)
         lines.append(

@@ -18,7 +18,7 @@ from pounding import _yaml_text as yaml_text
 from pounding._checked_file import STUDY
 from pounding._native import core
 from pounding._outputs import destination
-from pounding._studies.execution import Progress, require_count
+from pounding._studies.execution import Progress
 from pounding._studies.plan import Plan, make_plan
 from pounding._studies.reading import text_without
 from pounding._studies.study import records_folder, run_plan
@@ -155,7 +155,6 @@ def suite(
     --------
     >>> pounding.suite("suite.yaml").statistics("peak_force")  # doctest: +SKIP
     """
-    require_count("workers", workers, 0)
     path = None if output is None else Path(arguments.file("output", output))
     if path is not None:
         destination(path, STUDY)

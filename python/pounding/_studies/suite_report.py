@@ -31,42 +31,56 @@ MIN_DEMAND = 0.1
 
 def report(suite: Suite, percent: Sequence[float]) -> str:
     """Tables of all floors, and of the members, hinges and links with the largest means."""
-    lines = [_counts(suite), *_scaling(suite)]
-    for name in suite.structures:
-        one = suite.structure(name)
-        for quantity in one["quantities"]:
-            lines += _of_floors(suite, name, quantity, percent)
-        lines += _of_members(suite, name, percent)
-        for quantity, title, unit in (("ductility", "ductility", ""), ("plastic_rotation", "plastic rotation", "mrad")):
-            names = one["parts"] if quantity == "ductility" else one["hinges"]
-            if names:
-                scale = 1e-3 if unit else 1.0
-                lines += _block(
-                    f"{name}: {title}{f' [{unit}]' if unit else ''}",
-                    names,
-                    suite.parts(name, quantity) / scale,
-                    suite.parts(name, quantity, alone=True) / scale if suite.has_comparison else None,
-                    suite,
-                    percent,
-                    SHOWN,
-                )
-    lines += _of_links(suite, percent)
+    found = numbers(suite, percent)
+    lines = [*_counts(found), *_scaling(suite)]
+    for name, one in found["structures"].items():
+        alone = one.get("without_links")
+        for quantity, (title, unit, size) in FLOORS.items():
+            if quantity in one:
+                # From the top down, as a building is drawn.
+                floors, own, other = one["floor"][::-1], _reversed(one[quantity]), alone and _reversed(alone[quantity])
+                lines += _block(f"{name}: {title} [{unit}]", floors, own, other, size, len(floors))
+        for kind, forces in one.get("member_force", {}).items():
+            title = f"{name}: member force {kind} [{'kN m' if kind[:1] in 'MT' else 'kN'}]"
+            lines += _block(title, one["members"], forces, alone and alone["member_force"][kind], 1e3)
+        for key, quantity, title, size in (
+            ("parts", "ductility", "ductility", 1.0),
+            ("hinges", "plastic_rotation", "plastic rotation [mrad]", 1e-3),
+        ):
+            if key in one:
+                lines += _block(f"{name}: {title}", one[key], one[quantity], alone and alone[quantity], size)
+    for quantity in dict.fromkeys(each for link in suite.layout["links"] for each in link["quantities"]):
+        links = {name: one[quantity] for name, one in found["links"].items() if quantity in one}
+        unit, size = LINKS[suite.units[f"{quantity}.{next(iter(links))}"]]
+        title = f"links: {quantity.replace('_', ' ')}" + (f" [{unit}]" if unit else "")
+        lines += _block(title, list(links), _side_by_side(links.values()), None, size)
+    if "required_gap" in found:
+        lines += _block(
+            "required gap [mm]", ["largest of all links"], _side_by_side([found["required_gap"]]), None, 1e-3
+        )
     return "\n".join(lines)
 
 
-def _counts(suite: Suite) -> str:
-    status = suite["status"]
-    counts = ", ".join(f"{count} {STATUSES[i]}" for i in range(len(STATUSES)) if (count := int((status == i).sum())))
-    lines = [f"{len(suite)} records: {counts}"]
-    if suite.failed:
-        lines.append(f"failed records are in no statistics: {len(suite.failed)} of {len(suite)}")
-    names = suite.records["name"]
-    lines += [
-        f"  {names[suite['record'][row]]}: {why}" for row, why in [*suite.failed.items(), *suite.collapsed.items()][:10]
-    ]
-    if suite.collapsed:
+def _reversed(found: Mapping[str, Sequence[float]]) -> dict[str, Sequence[float]]:
+    return {key: values[::-1] for key, values in found.items()}
+
+
+def _side_by_side(every: Iterable[Mapping[str, float]]) -> dict[str, list[float]]:
+    """Statistics of several values by key."""
+    rows = list(every)
+    return {key: [one[key] for one in rows] for key in rows[0]}
+
+
+def _counts(found: Mapping[str, Any]) -> list[str]:
+    counts = ", ".join(f"{count} {word}" for word, count in found["status"].items() if count)
+    lines = [f"{found['count']} records: {counts}"]
+    failed = found["count"] - found["finished"]
+    if failed:
+        lines.append(f"failed records are in no statistics: {failed} of {found['count']}")
+    lines += [f"  {one['name']}: {one['reason']}" for one in found["records"] if "reason" in one][:10]
+    if found["status"]["collapsed"]:
         lines.append("collapsed records count as infinite values")
-    return "\n".join(lines)
+    return lines
 
 
 def scaling_text(scaling: Scaling) -> list[str]:
@@ -104,91 +118,28 @@ def _scaling(suite: Suite) -> list[str]:
     return [*lines, *([scaling.note] if scaling.note else [])]
 
 
-def _of_floors(suite: Suite, name: str, quantity: str, percent: Sequence[float]) -> list[str]:
-    title, unit, size = FLOORS[quantity]
-    floors = [str(i + 1) for i in range(suite.structure(name)["floors"])]
-    values = suite.floors(name, quantity) / size
-    alone = suite.floors(name, quantity, alone=True) / size if suite.has_comparison else None
-    # From the top down, as a building is drawn.
-    return _block(
-        f"{name}: {title} [{unit}]",
-        floors[::-1],
-        values[:, ::-1],
-        None if alone is None else alone[:, ::-1],
-        suite,
-        percent,
-        len(floors),
-    )
-
-
-def _of_members(suite: Suite, name: str, percent: Sequence[float]) -> list[str]:
-    one = suite.structure(name)
-    if not one["members"]:
-        return []
-    values = suite.members(name) / 1e3
-    alone = suite.members(name, alone=True) / 1e3 if suite.has_comparison else None
-    lines = []
-    for j, kind in enumerate(one["components"]):
-        unit = "kN m" if kind[:1] in "MT" else "kN"
-        lines += _block(
-            f"{name}: member force {kind} [{unit}]",
-            one["members"],
-            values[:, :, j],
-            None if alone is None else alone[:, :, j],
-            suite,
-            percent,
-            SHOWN,
-        )
-    return lines
-
-
-def _of_links(suite: Suite, percent: Sequence[float]) -> list[str]:
-    lines = []
-    for quantity in dict.fromkeys(each for link in suite.layout["links"] for each in link["quantities"]):
-        names = [link["name"] for link in suite.layout["links"] if quantity in link["quantities"]]
-        unit, size = LINKS[suite.units[f"{quantity}.{names[0]}"]]
-        values = np.column_stack([suite[f"{quantity}.{name}"] for name in names]) / size
-        title = quantity.replace("_", " ") + (f" [{unit}]" if unit else "")
-        lines += _block(f"links: {title}", names, values, None, suite, percent, SHOWN)
-    if "required_gap" in suite.columns:
-        gap = 1e3 * suite["required_gap"][:, None]
-        lines += _block("required gap [mm]", ["largest of all links"], gap, None, suite, percent, 1)
-    return lines
-
-
 def _block(
     title: str,
-    names: Sequence[str],
-    values: np.ndarray,
-    alone: np.ndarray | None,
-    suite: Suite,
-    percent: Sequence[float],
-    shown: int,
+    names: Sequence[Any],
+    found: Mapping[str, Sequence[float]],
+    alone: Mapping[str, Sequence[float]] | None,
+    size: float,
+    shown: int = SHOWN,
 ) -> list[str]:
-    """One table; of more than `shown` names those with the largest means."""
-    found = suite.statistics(values, percent)
-    without = None if alone is None else suite.statistics(alone, percent)
+    """One table of statistics in units of this size; of more than `shown` names those with the largest means."""
     rows = np.arange(len(names))
     if len(names) > shown:
-        rows = np.argsort(-np.nan_to_num(found.mean, nan=-1.0), kind="stable")[:shown]
+        rows = np.argsort(-np.nan_to_num(found["mean"], nan=-1.0), kind="stable")[:shown]
         title += f", {shown} largest of {len(names)}"
-    heads = ["mean", *(f"{one:g} %" for one in percent), "largest"]
-    cells = [heads + (["mean alone", "largest alone"] if without is not None else [])]
-    for i in rows:
-        row = [found.mean[i], *found.percentiles[:, i], found.max[i]]
-        row += [without.mean[i], without.max[i]] if without is not None else []
-        cells.append([_cell(value) for value in row])
-    first = [title, *(names[i] for i in rows.tolist())]
-    width = max(len(text) for text in first[1:] or [""])
-    columns = [max(len(line[j]) for line in cells) for j in range(len(cells[0]))]
-    return [
-        "",
-        title,
-        *(
-            f"  {text:<{width}}  " + "  ".join(f"{cell:>{size}}" for cell, size in zip(line, columns))
-            for text, line in zip(["", *first[1:]], cells)
-        ),
+    columns = [*found.values(), *((alone["mean"], alone["max"]) if alone else ())]
+    heads = [*list(found)[:-1], "largest", *(["mean alone", "largest alone"] if alone else [])]
+    cells = [["", *heads], *([str(names[i]), *(_cell(column[i] / size) for column in columns)] for i in rows.tolist())]
+    widths = [max(map(len, column)) for column in zip(*cells)]
+    lines = [
+        [f"  {line[0]:<{widths[0]}}", *(f"{cell:>{width}}" for cell, width in zip(line[1:], widths[1:]))]
+        for line in cells
     ]
+    return ["", title, *map("  ".join, lines)]
 
 
 def _cell(value: float) -> str:
@@ -203,7 +154,7 @@ def summary(suite: Suite, percent: Sequence[float]) -> dict[str, Any]:
 
 def numbers(suite: Suite, percent: Sequence[float]) -> dict[str, Any]:
     """Same as `summary`, with infinite numbers, and NaN for quantities that do not exist."""
-    status, model = suite["status"], suite.description["model"]
+    model = suite.description["model"]
     found: dict[str, Any] = {
         "title": model.get("title", ""),
         "project": model.get("project", ""),
@@ -212,7 +163,7 @@ def numbers(suite: Suite, percent: Sequence[float]) -> dict[str, Any]:
         "tolerance": suite.tolerance,
         "count": len(suite),
         "records": _of_records(suite),
-        "status": {word: int((status == i).sum()) for i, word in enumerate(STATUSES)},
+        "status": suite.counts,
         "finished": int(suite.finished.sum()),
         "records_with_contact": int((_contacts(suite)[suite.finished] > 0).sum()),
         "structures": {},

@@ -7,7 +7,6 @@ from typing import Any
 
 import numpy as np
 
-from pounding._studies.batches import STATUSES
 from pounding._studies.percentiles import finite, order_statistic
 from pounding._studies.quantities import COLLAPSED_COLUMN
 from pounding._studies.rows import Rows
@@ -29,12 +28,11 @@ def summary(
     `where` selects rows by values of factors for the columns and the curve. Infinite numbers, of collapsed rows, are None and counted in `infinite`. Failed rows are excluded. Raises InputError
     for an unknown column."""
     where = where or {}
-    status = study["status"]
     chosen = study.choose(**where) if where else study.finished
     kept: Sequence[str] = study.description["kept"]["columns"]
     found: dict[str, Any] = {
         "rows": len(study),
-        "status": {word: int((status == i).sum()) for i, word in enumerate(STATUSES)},
+        "status": study.counts,
         "columns": {name: _of_column(study[name][chosen], percent) for name in kept},
     }
     if where:

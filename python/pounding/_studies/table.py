@@ -9,6 +9,7 @@ from __future__ import annotations
 import json
 import os
 import resource
+import warnings
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
@@ -24,11 +25,15 @@ from pounding._studies.files import by_content, relative
 from pounding._studies.parts import Parts
 from pounding._studies.plan import Plan
 from pounding._texts import text
-from pounding.errors import InputError
+from pounding.errors import ImplausibleWarning, InputError
 
 FORMAT = "study of pounding 1"
 #: Copies of the table in memory while it is written: its columns, those of the file, and the file.
 COPIES = 3
+
+
+#: In the warning of tables of version 0.2.0.
+OF_0_2_0 = "was made by version 0.2.0, which counted rows that end by collapse_drift"
 
 
 class Table:
@@ -169,6 +174,15 @@ def open_study(path: Path) -> h5py.File:
         file.close()
         raise NotResults(f"{path} is the table of a study by another version of pounding; run the study again")
     return file
+
+
+def warnings_of_0_2_0(path: str | os.PathLike[str], description: Mapping[str, Any]) -> list[str]:
+    """Warns of a table of version 0.2.0, which stores no warnings, if rows of its model may have collapsed."""
+    if "collapse_drift" not in (description["model"].get("analysis") or {}):
+        return []
+    doubt = f"{path} {OF_0_2_0} as done, with their responses until then; run the study again"
+    warnings.warn(doubt, ImplausibleWarning, stacklevel=3)
+    return [doubt]
 
 
 def read_reasons(file: h5py.File) -> dict[int, str]:
