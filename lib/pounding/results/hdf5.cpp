@@ -84,6 +84,9 @@ Handle group(hid_t parent, const std::string& name) {
   const Handle creation(H5Pcreate(H5P_GROUP_CREATE), H5Pclose, "create group properties");
   checked(H5Pset_link_creation_order(creation, H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED),
           "track the creation order");
+  // Links in the header of the group: beyond eight members, the default is an index that costs more than a dataset.
+  checked(H5Pset_link_phase_change(creation, 64, 48), "set the storage of links");
+  checked(H5Pset_est_link_info(creation, 16, 16), "set the expected number of links");
   return {H5Gcreate2(parent, name.c_str(), H5P_DEFAULT, creation, H5P_DEFAULT), H5Gclose, "create group ", name};
 }
 

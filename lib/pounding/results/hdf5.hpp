@@ -55,15 +55,11 @@ class Handle {
   Close close_;
 };
 
-/// In-memory file, filled by `write`: its bytes follow `checked_block_size` undefined bytes. HDF5 never touches the
-/// disk.
-FileImage file_image(const std::function<void(hid_t file)>& write);
-
-/// As `file_image`, with the checksum in its user block.
+/// In-memory file, filled by `write`, with the checksum in its user block. HDF5 never touches the disk.
 FileImage checked_image(const std::function<void(hid_t file)>& write);
 
-/// Opens the image of a file for `read` without copying, and closes it afterwards.
-void open_image(const FileImage& image, const std::function<void(hid_t file)>& read);
+/// Open file in memory, which HDF5 owns. The caller has the LibraryLock.
+Handle memory_file();
 
 /// Creates and opens one group; its members are listed in creation order.
 Handle group(hid_t parent, const std::string& name);
@@ -135,6 +131,8 @@ void attach(hid_t array, const std::vector<const Scale*>& scales);
 constexpr const char* dimension_list = "DIMENSION_LIST";
 Handle reference_lists();
 
+/// Group of the run without links.
+constexpr const char* without_links_group = "no_pounding";
 /// Copies a group to another file that has none of that name.
 void copy_group(hid_t from, hid_t to, const char* name);
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <memory>
+#include <string>
 #include <utility>
 
 #include <pounding/petsc/library_lock.hpp>
@@ -44,20 +45,16 @@ class GrowingMemory {
   std::size_t size_ = 0;
 };
 
-/// File access to memory that the caller owns.
-Handle access_to(H5FD_file_image_callbacks_t callbacks, void* memory) {
+Handle in_memory_access() {
   constexpr std::size_t growth = std::size_t{1} << 20;
   Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "create file properties");
   checked(H5Pset_fapl_core(access, growth, false), "select an in-memory file");
-  callbacks.image_free = [](void*, H5FD_file_image_op_t, void*) -> herr_t { return 0; };
-  callbacks.udata_copy = [](void* same) { return same; };
-  callbacks.udata_free = [](void*) -> herr_t { return 0; };
-  callbacks.udata = memory;
-  checked(H5Pset_file_image_callbacks(access, &callbacks), "set the file image callbacks");
   return access;
 }
 
-FileImage made_by(const std::function<void(hid_t file)>& write, bool with_checksum) {
+}  // namespace
+
+FileImage checked_image(const std::function<void(hid_t file)>& write) {
   const LibraryLock lock;
   const Quiet quiet;
   GrowingMemory memory;
@@ -65,7 +62,12 @@ FileImage made_by(const std::function<void(hid_t file)>& write, bool with_checks
   {
     H5FD_file_image_callbacks_t callbacks{};
     callbacks.image_realloc = GrowingMemory::grow;
-    const Handle access = access_to(callbacks, &memory);
+    callbacks.image_free = [](void*, H5FD_file_image_op_t, void*) -> herr_t { return 0; };
+    callbacks.udata_copy = [](void* same) { return same; };
+    callbacks.udata_free = [](void*) -> herr_t { return 0; };
+    callbacks.udata = &memory;
+    const Handle access = in_memory_access();
+    checked(H5Pset_file_image_callbacks(access, &callbacks), "set the file image callbacks");
     const Handle creation(H5Pcreate(H5P_FILE_CREATE), H5Pclose, "create file properties");
     checked(H5Pset_userblock(creation, checked_block_size), "set the user block size");
     const Handle file(H5Fcreate("results in memory", H5F_ACC_TRUNC, creation, access), H5Fclose, "create a file");
@@ -75,27 +77,14 @@ FileImage made_by(const std::function<void(hid_t file)>& write, bool with_checks
     size += static_cast<std::size_t>(checked(H5Fget_file_image(file, nullptr, 0), "get the file size"));
   }
   const std::shared_ptr<std::byte> bytes = memory.release(size);
-  if (with_checksum) write_checked_block({bytes.get(), size});
+  write_checked_block({bytes.get(), size});
   return {bytes, size};
 }
 
-}  // namespace
-
-void open_image(const FileImage& image, const std::function<void(hid_t file)>& read) {
-  const LibraryLock lock;
-  void* const bytes = const_cast<std::byte*>(image.data());  // HDF5 only reads them
-  H5FD_file_image_callbacks_t callbacks{};
-  callbacks.image_malloc = [](std::size_t, H5FD_file_image_op_t, void* bytes) { return bytes; };
-  callbacks.image_memcpy = [](void* same, const void*, std::size_t, H5FD_file_image_op_t, void*) { return same; };
-  const Handle access = access_to(callbacks, bytes);
-  checked(H5Pset_file_image(access, bytes, image.size()), "set the file image");
-  // HDF5 identifies files in memory by name.
-  const Handle file(H5Fopen("image of results", H5F_ACC_RDONLY, access), H5Fclose, "open a file image");
-  read(file);
+Handle memory_file() {
+  static int count = 0;  // HDF5 identifies files in memory by name, and several may be open; callers have LibraryLock
+  const std::string name = "group in memory " + std::to_string(++count);
+  return {H5Fcreate(name.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, in_memory_access()), H5Fclose, "create a file"};
 }
-
-FileImage file_image(const std::function<void(hid_t file)>& write) { return made_by(write, false); }
-
-FileImage checked_image(const std::function<void(hid_t file)>& write) { return made_by(write, true); }
 
 }  // namespace pounding::hdf5

@@ -34,8 +34,6 @@ void check_names(const Histories& histories, const std::string& kind) {
   }
 }
 
-constexpr const char* without_links_group = "no_pounding";
-
 constexpr struct {
   Label label;
   double ImpactRow::* value;
@@ -193,12 +191,6 @@ void write_content(hid_t place, const Results& results) {
   }
 }
 
-void write_file(hid_t file, const Results& results) {
-  write_content(file, results);
-  if (!results.no_pounding.empty())
-    open_image(results.no_pounding, [&](hid_t from) { copy_group(from, file, without_links_group); });
-}
-
 }  // namespace
 
 bool Results::has_devices() const {
@@ -220,15 +212,18 @@ void visit_histories(Results& results,
 }
 
 FileImage results_image(const Results& results) {
-  return hdf5::checked_image([&](hid_t file) { write_file(file, results); });
+  return hdf5::checked_image([&](hid_t file) {
+    write_content(file, results);
+    if (results.add_no_pounding) results.add_no_pounding(file);
+  });
 }
 
-FileImage image_to_add(const Results& results) {
-  return hdf5::file_image([&](hid_t file) {
+std::function<void(std::int64_t file)> group_without_links(std::shared_ptr<const Results> results) {
+  return [results = std::move(results)](std::int64_t file) {
     const Handle place = group(file, without_links_group);
-    write_content(place, results);
+    write_content(place, *results);
     checked(H5Ldelete(place, "input", H5P_DEFAULT), "delete the input");  // that of the enclosing file
-  });
+  };
 }
 
 void write_results(const Results& results, const std::string& path) {

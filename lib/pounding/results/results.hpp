@@ -2,7 +2,9 @@
 /// Results of a run in memory and in one HDF5 file, readable with plain h5py.
 
 #include <array>
+#include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -115,8 +117,9 @@ struct Results {
   /// For a run without links, three quantities per link: displacements of the left and the right end along the link,
   /// relative to the ground, and the approach of the two [m]. Otherwise empty.
   Extremes approach;
-  /// File image of the run without links that `compare: no_pounding` requests; otherwise empty.
-  FileImage no_pounding;
+  /// Adds the group of the run without links, which `compare: no_pounding` requests, to an open HDF5 file; otherwise
+  /// empty.
+  std::function<void(std::int64_t file)> add_no_pounding;
   SolverStatistics solver;
   std::vector<ReducedStructure> reduced;  ///< reduced structures, with estimated errors
   int deeper = 0;            ///< extra blocks of automatic reductions beyond those that follow from the tolerance
@@ -136,8 +139,8 @@ void write_results(const Results& results, const std::string& path);
 /// Bytes of the file that write_results() writes, for use without a disk; throws as write_results().
 FileImage results_image(const Results& results);
 
-/// An image without a checksum, for `Results::no_pounding` of another run.
-FileImage image_to_add(const Results& results);
+/// The results of a run without links, for `Results::add_no_pounding` of the run with links.
+std::function<void(std::int64_t file)> group_without_links(std::shared_ptr<const Results> results);
 
 /// Calls `visit` for every history in time, including links and energies, with its path in the file and its values.
 void visit_histories(Results& results,

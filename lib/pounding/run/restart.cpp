@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <memory>
 #include <string_view>
 
 #include <fmt/format.h>
@@ -14,14 +15,14 @@
 #include <pounding/input/resolved.hpp>
 #include <pounding/model/ground_plan.hpp>
 #include <pounding/model/model.hpp>
+#include <pounding/petsc/library_lock.hpp>
 #include <pounding/results/hdf5.hpp>
 #include <pounding/results/results.hpp>
 
 namespace pounding {
 namespace {
 
-// Group of the run without links.
-constexpr const char* without_links_group = "no_pounding";
+using hdf5::without_links_group;
 
 // Options that only print or draw, and the limit on steps, do not affect the steps.
 bool result_depends_on(const std::string& option) {
@@ -83,8 +84,14 @@ void read(hid_t file, InterruptedRun& run) {
   Checkpoint& checkpoint = run.checkpoint;
   run.model_yaml = hdf5::read_text(file, "input/model.yaml");
   run.resolved_yaml = hdf5::read_text(file, "input/resolved.yaml");
-  if (has_other_run && !run.without_links)
-    run.no_pounding = hdf5::file_image([&](hid_t to) { hdf5::copy_group(file, to, without_links_group); });
+  if (has_other_run && !run.without_links) {
+    const std::shared_ptr<const hdf5::Handle> copy(new hdf5::Handle(hdf5::memory_file()), [](const hdf5::Handle* made) {
+      const LibraryLock lock;
+      delete made;
+    });
+    hdf5::copy_group(file, *copy, without_links_group);
+    run.add_no_pounding = [copy](hid_t to) { hdf5::copy_group(*copy, to, without_links_group); };
+  }
   checkpoint.ground = hdf5::read_attribute(place, "ground");
   checkpoint.model_file = hdf5::read_text(place, "model_file");
   const std::string options = hdf5::read_text(place, "options");

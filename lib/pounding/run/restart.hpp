@@ -1,6 +1,8 @@
 #pragma once
 /// Reads interrupted runs. The checkpoint is in the results file, together with the histories up to it.
 
+#include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -23,7 +25,7 @@ struct InterruptedRun {
   /// True if the first part of `compare: no_pounding`, the run without links, was interrupted; the checkpoint and the
   /// histories belong to that part.
   bool without_links = false;
-  FileImage no_pounding = {};  ///< image of the run without links; empty if there is none
+  std::function<void(std::int64_t file)> add_no_pounding = {};  ///< Results::add_no_pounding
   Checkpoint checkpoint = {};
   int deeper = 0;  ///< Results::deeper
 };

@@ -78,20 +78,20 @@ Results heading(const Model& model, const RunOptions& options, const EffectiveSe
   return results;
 }
 
-// `without`: outcome of the run without links, if any. Automatic reductions get `deeper` more blocks than the tolerance
-// requires. Returns nullopt if they need even more: then no end was written.
-std::optional<Outcome> try_run(const Task& task, bool with_links, const Outcome& without, int deeper,
-                               const Stopwatch& since_start, const InterruptedRun* earlier) {
+// `without`: outcome of the run without links; null if there is none. Automatic reductions get `deeper` more blocks
+// than the tolerance requires. Returns nullopt if they need even more: then no end was written.
+std::optional<Outcome> try_run(const Task& task, bool with_links, const std::shared_ptr<const Outcome>& without,
+                               int deeper, const Stopwatch& since_start, const InterruptedRun* earlier) {
   const Model& model = task.model;
   const RunOptions& options = task.options;
   const EffectiveSettings& settings = task.settings;
   Outcome outcome = task.outcome();
   Results& results = outcome.results;
-  if (!without.summary.structures.empty()) {
-    outcome.summary.without_pounding = without.summary.structures;
-    outcome.summary.without_links_status = without.results.status;
-    outcome.summary.separations = separations(model, without.results.approach);
-    if (!options.numbers_only) results.no_pounding = image_to_add(without.results);
+  if (without) {
+    outcome.summary.without_pounding = without->summary.structures;
+    outcome.summary.without_links_status = without->results.status;
+    outcome.summary.separations = separations(model, without->results.approach);
+    if (!options.numbers_only) results.add_no_pounding = group_without_links({without, &without->results});
   }
 
   const System system = assemble(model, with_links);
@@ -149,7 +149,8 @@ std::optional<Outcome> try_run(const Task& task, bool with_links, const Outcome&
   return outcome;
 }
 
-Outcome run_once(const Task& task, bool with_links, const Outcome& without, const InterruptedRun* earlier = nullptr) {
+Outcome run_once(const Task& task, bool with_links, const std::shared_ptr<const Outcome>& without,
+                 const InterruptedRun* earlier = nullptr) {
   const Stopwatch since_start;
   for (int deeper = earlier ? earlier->deeper : 0;; deeper = still_deeper(deeper), earlier = nullptr)
     if (std::optional<Outcome> outcome = try_run(task, with_links, without, deeper, since_start, earlier))
@@ -157,34 +158,35 @@ Outcome run_once(const Task& task, bool with_links, const Outcome& without, cons
 }
 
 // Outcome to write while the run without links has these results.
-Outcome first_part(const Task& task, const Results& without_links) {
+Outcome first_part(const Task& task, const std::shared_ptr<const Results>& without_links) {
   Outcome outcome = task.outcome();
   Results& results = outcome.results;
-  results.no_pounding = image_to_add(without_links);
+  results.add_no_pounding = group_without_links(without_links);
   const std::string failed = "failed: ";
-  if (!without_links.status.starts_with(failed)) return outcome;
+  if (!without_links->status.starts_with(failed)) return outcome;
   results.status = outcome.summary.status =
-      failed + "(the run without links) " + without_links.status.substr(failed.size());
+      failed + "(the run without links) " + without_links->status.substr(failed.size());
   outcome.summary.integrator = results.integrator;
   results.summary_json = to_json(outcome.summary);
-  outcome.resumable = without_links.checkpoint.has_value();
+  outcome.resumable = without_links->checkpoint.has_value();
   return outcome;
 }
 
 // The run without links of `compare: no_pounding`. Its results are included in the output of the subsequent run.
-Outcome run_without_links(const Task& task, const InterruptedRun* earlier = nullptr) {
+std::shared_ptr<const Outcome> run_without_links(const Task& task, const InterruptedRun* earlier = nullptr) {
   Task part = task;
   part.heading.command.clear();
   // Its end has no state to resume from: until the run with links has one, the file keeps the previous one.
   if (task.write)
     part.write = [&](const Results& results) {
-      if (!results.status.starts_with("done")) task.write(first_part(task, results).results);
+      if (results.status.starts_with("done")) return;
+      task.write(first_part(task, {std::shared_ptr<void>{}, &results}).results);  // not owned
     };
   try {
-    return run_once(part, false, {}, earlier);
+    return std::make_shared<const Outcome>(run_once(part, false, {}, earlier));
   } catch (const FailedRun& failed) {
     throw FailedRun(fmt::format("the run without links: {}", failed.what()),
-                    first_part(task, failed.outcome().results));
+                    first_part(task, std::make_shared<const Results>(failed.outcome().results)));
   }
 }
 
@@ -213,7 +215,7 @@ Outcome run(const Model& model, const RunOptions& options) {
     task.write = [&](const Results& results) { file.replace(results_image(results)); };
   }
   if (options.resume.empty()) {
-    Outcome without_links;
+    std::shared_ptr<const Outcome> without_links;
     if (model.compare_no_pounding) without_links = run_without_links(task);
     return run_once(task, true, without_links);
   }

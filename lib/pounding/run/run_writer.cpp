@@ -83,7 +83,7 @@ void RunWriter::restart(const InterruptedRun& run) {
   }
   earlier_seconds_ = outcome_.results.solver.wall_seconds;
   outcome_.results.checkpoint = run.checkpoint;
-  outcome_.results.no_pounding = run.no_pounding;
+  outcome_.results.add_no_pounding = run.add_no_pounding;
 }
 
 void RunWriter::conclude(const std::string& status) {
