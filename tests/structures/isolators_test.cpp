@@ -126,8 +126,8 @@ TEST(Isolators, LeaveTheMotionsOnAFixedBase) {
   other.insert(0) = 2;
   other.insert(2) = -1;
   same.insert(0) = 1;
-  s.yielding.push_back(make_isolator("isolator b", std::move(other), {.law = lead_rubber}, 0));
-  s.yielding.push_back(make_isolator("isolator c", std::move(same), {.law = lead_rubber}, 0));
+  s.yielding.push_back(make_isolator("isolator b", {std::move(other)}, {.law = lead_rubber}, 0).front());
+  s.yielding.push_back(make_isolator("isolator c", {std::move(same)}, {.law = lead_rubber}, 0).front());
   const Eigen::MatrixXd fewer = motions_on_fixed_base(s);
   ASSERT_EQ(fewer.cols(), 1);
   for (const YieldingPart& part : s.yielding)

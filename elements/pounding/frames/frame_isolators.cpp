@@ -1,7 +1,10 @@
 #include <pounding/frames/frame_parts.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <iterator>
+#include <span>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -18,10 +21,13 @@ namespace {
 
 std::string kilonewtons(double force) { return fmt::format("{:.4g} kN", force / 1e3); }
 
+// Directions in which an isolator acts.
+std::vector<Dof> directions_of(const FrameModel& model) {
+  return model.frame.dimension() == 2 ? std::vector{Dof::ux} : std::vector{Dof::ux, Dof::uy};
+}
+
 std::string name_of(const FrameModel& model, const FrameIsolator& isolator) {
-  const std::string node = model.frame.node_name(isolator.node);
-  return model.frame.dimension() == 2 ? "isolator " + node
-                                      : fmt::format("isolator {} {}", node, isolator.along == Dof::ux ? "x" : "y");
+  return "isolator " + model.frame.node_name(isolator.node);
 }
 
 [[noreturn]] void refuse_isolator(const FrameModel& model, const FrameIsolator& isolator, const std::string& why) {
@@ -31,7 +37,8 @@ std::string name_of(const FrameModel& model, const FrameIsolator& isolator) {
 double stiffness_of(const FrameModel& model, const FrameIsolator& isolator) {
   try {
     // The law contains the weight.
-    return make_isolator("", Row(1), isolator.options, 0).stiffness();
+    const std::vector<Row> deformations(directions_of(model).size(), Row(1));
+    return make_isolator("", deformations, isolator.options, 0).front().stiffness();
   } catch (const std::invalid_argument& error) {
     refuse_isolator(model, isolator, error.what());
   }
@@ -39,7 +46,8 @@ double stiffness_of(const FrameModel& model, const FrameIsolator& isolator) {
 
 void add_springs(FrameModel& model) {
   for (const FrameIsolator& isolator : model.isolators)
-    model.frame.add_spring(isolator.node, isolator.along, stiffness_of(model, isolator));
+    for (const Dof along : directions_of(model))
+      model.frame.add_spring(isolator.node, along, stiffness_of(model, isolator));
 }
 
 // Upward forces of the ground on the isolators [N], for their present laws.
@@ -93,10 +101,10 @@ void find_weights(FrameModel& model) {
   }
 }
 
-void require_mass(const FrameModel& model, const FrameIsolator& isolator, const AssembledFrame& frame,
+void require_mass(const FrameModel& model, const FrameIsolator& isolator, const AssembledFrame& frame, Dof along,
                   const Row& deformation) {
   if (deformation.nonZeros() == 0)
-    refuse_isolator(model, isolator, fmt::format("{} of its node is fixed; remove it from fix", name(isolator.along)));
+    refuse_isolator(model, isolator, fmt::format("{} of its node is fixed; remove it from fix", name(along)));
   for (Row::InnerIterator it(deformation); it; ++it)
     if (frame.massless[it.index()])
       refuse_isolator(model, isolator,
@@ -104,16 +112,24 @@ void require_mass(const FrameModel& model, const FrameIsolator& isolator, const 
                                   model.frame.node_name(isolator.node)));
 }
 
-// Laws with corners are linear up to the first one.
-void require_elastic_at_rest(const FrameModel& model, const FrameIsolator& isolator, const YieldingPart& part) {
-  const LoadedSpring spring(part.spring());
-  const double yield = part.yield_deformation();
-  if (std::abs(part.at_rest) <= 1e-3 * yield || (spring->has_corners() && !spring.corner(part.at_rest))) return;
+// Laws with corners are linear up to the first one. `parts` are those of one element.
+void require_elastic_at_rest(const FrameModel& model, const FrameIsolator& isolator,
+                             std::span<const YieldingPart> parts) {
+  constexpr double rounding = 1e-12;
+  const YieldingPart& first = parts.front();
+  std::vector<LinkMotion> motions;
+  for (const YieldingPart& part : parts) motions.push_back({part.at_rest, 0});
+  const double stiffness = first.stiffness(), yield = first.yield_deformation();
+  const double at_rest =
+      std::abs(resultant(*first.element, 0, [&](int j) { return motions[static_cast<std::size_t>(j)]; }).penetration);
+  const std::array<double, max_deformations> forces = first_response(*first.element, motions).force;
+  const auto is_linear = [&](double force) { return std::abs(force) <= rounding * stiffness * yield; };
+  if (at_rest <= 1e-3 * yield || std::ranges::all_of(forces, is_linear)) return;
   refuse_isolator(model, isolator,
                   fmt::format("at rest, under gravity and loads, its horizontal force is {}, but it yields at {}; "
                               "connect the isolators by a slab: ties: [{{master: {}, nodes: [...], dofs: [ux]}}]",
-                              kilonewtons(part.stiffness() * std::abs(part.at_rest)),
-                              kilonewtons(part.stiffness() * yield), model.frame.node_name(isolator.node)));
+                              kilonewtons(stiffness * at_rest), kilonewtons(stiffness * yield),
+                              model.frame.node_name(isolator.node)));
 }
 
 }  // namespace
@@ -151,11 +167,6 @@ void place_isolators(FrameModel& model) {
     refuse_isolator(model, first,
                     "a frame on isolators needs the same motion at all supports; remove their delay and ground_motion, "
                     "or the isolators");
-  for (const FrameIsolator& isolator : model.isolators)
-    if (model.frame.dimension() == 3 && isolator.options.is_coupled)
-      refuse_isolator(model, isolator,
-                      "in space, laws that couple x and y are not implemented; type coupled: false for independent "
-                      "axes, which overestimate the force along a diagonal by up to 1.41 times");
   find_weights(model);
   add_springs(model);
 }
@@ -166,14 +177,18 @@ void let_isolators_yield(const FrameModel& model, const AssembledFrame& frame, c
   const int first = static_cast<int>(s.yielding.size());
   std::vector<std::pair<int, Dof>> springs;
   for (const FrameIsolator& isolator : model.isolators) {
-    Row deformation = frame.motion(isolator.node, isolator.along);
-    require_mass(model, isolator, frame, deformation);
-    const double at_rest = s.at_rest.size() > 0 ? deformation.dot(s.at_rest) : 0;
-    YieldingPart& part =
-        s.yielding.emplace_back(make_isolator(name_of(model, isolator), std::move(deformation), isolator.options, 0));
-    part.at_rest = at_rest;
-    require_elastic_at_rest(model, isolator, part);
-    springs.emplace_back(isolator.node, isolator.along);
+    std::vector<Row> deformations;
+    for (const Dof along : directions_of(model)) {
+      deformations.push_back(frame.motion(isolator.node, along));
+      require_mass(model, isolator, frame, along, deformations.back());
+      springs.emplace_back(isolator.node, along);
+    }
+    std::vector<YieldingPart> parts = make_isolator(name_of(model, isolator), deformations, isolator.options, 0);
+    for (YieldingPart& part : parts) part.at_rest = s.at_rest.size() > 0 ? part.deformation.dot(s.at_rest) : 0;
+    const auto per_element = static_cast<std::size_t>(parts.front().element->deformations());
+    for (std::size_t i = 0; i < parts.size(); i += per_element)
+      require_elastic_at_rest(model, isolator, std::span(parts).subspan(i, per_element));
+    std::ranges::move(parts, std::back_inserter(s.yielding));
   }
   add_part_reactions(model, reactions, springs, first, s);
 }

@@ -28,11 +28,10 @@ struct FrameSupport {
   std::optional<GroundComponents> motion{};  ///< separate motion, instead of that of the model
 };
 
-/// An isolator between the ground and a node, along one horizontal axis. The other displacements of the node need
+/// An isolator between the ground and a node, along x, and y in space. The other displacements of the node need
 /// ordinary supports.
 struct FrameIsolator {
   int node = 0;
-  Dof along = Dof::ux;  ///< ux, or uy in space
   IsolatorOptions options{};
 };
 

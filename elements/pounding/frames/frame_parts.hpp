@@ -45,8 +45,8 @@ void let_hinges_yield(const FrameModel& model, const AssembledFrame& frame, cons
 /// weights before p_delta.
 ///
 /// Throws std::invalid_argument, starting with "isolator NAME: ", for invalid parameters of the law, an isolator in
-/// tension or without vertical support, a weight that cannot be determined, coupled isolators in space, a corotational
-/// frame, and supports with different motions.
+/// tension or without vertical support, a weight that cannot be determined, a law that cannot be coupled in space, a
+/// corotational frame, and supports with different motions.
 void place_isolators(FrameModel& model);
 
 /// Adds the isolators to a structure with known state at rest, internal forces and hinges. Also throws for a massless

@@ -52,7 +52,7 @@ IsolatorOptions read_isolator_law(const Input& isolator) {
   }
   options.law.words = read_choices(law, *entry);
   try {
-    make_isolator("", Row(1), options, 1);
+    make_isolator("", {Row(1)}, options, 1);
   } catch (const std::invalid_argument& error) {
     location_of(error.what(), law, *entry).fail(error.what());
   }

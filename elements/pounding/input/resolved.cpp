@@ -81,12 +81,15 @@ std::vector<double> periods(const Structure& s) {
 }
 
 // Law, parameters and stiffness of a part.
-Resolved resolved(const YieldingPart& part) {
+Resolved resolved(const YieldingPart& part, bool in_space) {
   Resolved one{{"law", part.law}};
   for (const auto& [name, value] : part.parameters)
     if (std::isfinite(value)) one[name] = value;
   if (part.is_device()) one["device"] = part.device;
-  if (isolates(part)) one["stiffness"] = part.stiffness();
+  if (isolates(part)) {
+    if (in_space) one["coupled"] = !part.has_spring();
+    one["stiffness"] = part.stiffness();
+  }
   if (part.kind != YieldingPart::Kind::hinge) return one;
   // Most laws have no parameter of this name.
   if (!one.contains("yield_rotation")) one["yield_rotation"] = part.yield_deformation();
@@ -98,7 +101,7 @@ Resolved resolved(const YieldingPart& part) {
 void add_parts(Resolved& to, const Structure& s) {
   constexpr const char* groups[] = {nullptr, "hinges", "isolators", "devices", "uplift"};
   for (const YieldingPart& part : s.yielding)
-    if (const char* const group = groups[static_cast<int>(part.kind)]) add(to[group], part.name, resolved(part));
+    if (const char* const group = groups[static_cast<int>(part.kind)]) add(to[group], part.name, resolved(part, s.dimension == 3));
   if (!is_isolated(s)) return;
   if (const double period = isolated_period(s); std::isfinite(period)) to["isolated_period"] = period;
 }

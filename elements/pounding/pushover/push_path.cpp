@@ -283,6 +283,11 @@ PushPath push(const Structure& structure, const PushOptions& options) {
   if (structure.yielding.empty()) throw std::invalid_argument("it has no yielding parts");
   if (structure.elastic)
     throw std::invalid_argument("large rotations are not supported; remove geometry: corotational");
+  for (const YieldingPart& part : structure.yielding)
+    if (!part.has_spring())
+      throw std::invalid_argument(part.name +
+                                  " couples two directions, which a pushover does not support; type coupled: false "
+                                  "under isolator");
   return Pusher(structure, options).run(options.targets);
 }
 

@@ -42,20 +42,24 @@ std::string describe_isolators(const Structure& s) {
   };
   Range stiffness, yield, force, capacity;
   int count = 0;
+  bool is_coupled = false;
   std::string laws;
   for (const YieldingPart& part : s.yielding) {
     if (!isolates(part)) continue;
     ++count;
+    is_coupled = is_coupled || !part.has_spring();
     const double k = part.stiffness(), d = part.yield_deformation();
     stiffness.take(k), yield.take(d), force.take(k * d);
     if (const double limit = part.parameter("capacity"); std::isfinite(limit)) capacity.take(limit);
     if (laws.find(part.law) == std::string::npos) laws += (laws.empty() ? "" : ", ") + part.law;
   }
+  if (s.dimension == 3) count /= 2;  // parts along x and y
   const double period = isolated_period(s);
   std::string text =
-      fmt::format("     {}, {}: stiffness {}, yield displacement {} at {}, ",
+      fmt::format("     {}, {}{}: stiffness {}, yield displacement {} at {}, ",
                   s.dimension == 1 ? "isolators" : fmt::format("{} isolator{}", count, count == 1 ? "" : "s"), laws,
-                  stiffness.text(dimension::stiffness), yield.text(dimension::length), force.text(dimension::force));
+                  is_coupled ? ", coupled along x and y" : "", stiffness.text(dimension::stiffness),
+                  yield.text(dimension::length), force.text(dimension::force));
   text += std::isfinite(period) ? fmt::format("isolated period {:.4g} s", period)
                                 : "no isolated period(no restoring force)";
   if (capacity.largest > 0) text += ", capacity " + capacity.text(dimension::length);

@@ -166,12 +166,9 @@ std::vector<YieldingFacts> yielding_facts(const Structure& s) {
     if (facts.stiffness == 0) continue;  // a damper
     facts.is_hinge = part.kind == YieldingPart::Kind::hinge;
     facts.deformation = part.yield_deformation();
-    if (part.has_spring()) {
-      facts.force = part.spring().yield_force();
-      facts.hardening = (part.is_device() ? 0 : 1) + slope_far_behind_yield(part.spring()) / facts.stiffness;
-    } else {
-      facts.force = part.stiffness() * part.yield_deformation();
-    }
+    facts.force = part.has_spring() ? part.spring().yield_force() : part.stiffness() * part.yield_deformation();
+    facts.hardening =
+        (part.is_device() ? 0 : 1) + slope_far_behind_yield(*part.element, part.direction) / facts.stiffness;
     facts.at_rest = std::abs(part.at_rest) / facts.deformation;
     if (part.hinge) {
       if (part.hinge->is_rigid_plastic) facts.law = "rigid-plastic";

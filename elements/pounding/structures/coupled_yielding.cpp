@@ -91,12 +91,23 @@ void CoupledYielding::start(ElementMemory memory, std::span<const LinkMotion> mo
   state = {.deformation = d, .plastic = flow(state, d, speed).plastic, .speed = speed, .lost = state.lost};
 }
 
+// Follows a straight path.
+void CoupledYielding::follow(State& state, const Pair& deformation, double speed) const noexcept {
+  const Flow end = flow(state, deformation, speed);
+  Pair work{};
+  for (int i = 0; i < 2; ++i) {
+    const double elastic = state.deformation[i] - state.plastic[i] + deformation[i] - end.plastic[i];
+    work[i] = std::max(0.0, lost_stiffness(i) * elastic * (end.plastic[i] - state.plastic[i]));
+  }
+  const double both = work[0] + work[1], fraction = both > 0 ? work[0] / both : 0.5;
+  state = {.deformation = deformation,
+           .plastic = end.plastic,
+           .speed = speed,
+           .lost = {state.lost[0] + fraction * end.lost, state.lost[1] + (1 - fraction) * end.lost}};
+}
+
 void CoupledYielding::accept(ElementMemory memory, std::span<const LinkStep> step) const {
   State& state = memory_as<State>(memory);
-  const auto follow = [&](const Pair& d, double speed) {
-    const Flow end = flow(state, d, speed);
-    state = {.deformation = d, .plastic = end.plastic, .speed = speed, .lost = state.lost + end.lost};
-  };
   const CubicStep path(step);
   const Pair scale{yield_deformation(0), yield_deformation(1)};
   const double reversal = path.reversal(scale);
@@ -105,16 +116,16 @@ void CoupledYielding::accept(ElementMemory memory, std::span<const LinkStep> ste
     const int count = std::max(min_pieces(), chords(path, scale, from, to));
     for (int i = 1; i <= count; ++i) {
       const double s = from + (to - from) * i / count;
-      if (i < count || to < 1) follow(path.at(s), path.speed(s));
+      if (i < count || to < 1) follow(state, path.at(s), path.speed(s));
     }
   }
-  follow({step[0].motion_end.penetration, step[1].motion_end.penetration},
+  follow(state, {step[0].motion_end.penetration, step[1].motion_end.penetration},
          speed_of(step[0].motion_end.rate, step[1].motion_end.rate));
 }
 
 ElementEnergy CoupledYielding::energy(ConstElementMemory memory) const noexcept {
   const State& state = memory_as<State>(memory);
-  ElementEnergy energy{.lost = state.lost};
+  ElementEnergy energy{.lost = state.lost[0] + state.lost[1]};
   // h (d - p)^2/2 - h d^2/2
   for (int i = 0; i < 2; ++i)
     energy.stored_correction -=

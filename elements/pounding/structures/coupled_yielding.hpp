@@ -20,7 +20,7 @@ class CoupledYielding : public Element {
   struct State {
     Pair deformation{}, plastic{};  ///< d and p [m] or [rad]
     double speed = 0;               ///< norm of the rates [m/s]
-    double lost = 0;                ///< [J]
+    Pair lost{};                    ///< by direction [J]
   };
 
   int deformations() const noexcept override { return 2; }
@@ -32,6 +32,10 @@ class CoupledYielding : public Element {
   void start(ElementMemory memory, std::span<const LinkMotion> motion) const override;
   void accept(ElementMemory memory, std::span<const LinkStep> step) const override;
   ElementEnergy energy(ConstElementMemory memory) const noexcept override;
+  /// Divides the loss of each straight piece in proportion to the work of the mean forces on p.
+  double dissipated(ConstElementMemory memory, int i) const noexcept override {
+    return memory_as<State>(memory).lost[i];
+  }
 
  protected:
   /// End of a straight path.
@@ -47,6 +51,9 @@ class CoupledYielding : public Element {
   virtual double lost_stiffness(int i) const noexcept = 0;
   /// Minimum number of straight pieces per accepted step.
   virtual int min_pieces() const noexcept { return 1; }
+
+ private:
+  void follow(State& state, const Pair& deformation, double speed) const noexcept;
 };
 
 }  // namespace pounding

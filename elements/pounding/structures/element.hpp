@@ -2,6 +2,7 @@
 /// Elements: forces between points in addition to those of the linear structures.
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstring>
 #include <new>
@@ -94,7 +95,26 @@ class Element {
   virtual void accept(ElementMemory memory, std::span<const LinkStep> step) const = 0;
   /// Energies at the last accepted state.
   virtual ElementEnergy energy(ConstElementMemory memory) const noexcept = 0;
+  /// Energy dissipated by deformation i; their sum is that of the element [J].
+  virtual double dissipated(ConstElementMemory memory, int i) const noexcept = 0;
 };
+
+/// Motion of an element that decides whether it yields: that of a single deformation, or the resultant of several, as a
+/// deformation in direction i. The others are scaled by the ratio of yield deformations. `of(j)` is the motion of
+/// deformation j.
+template <class Motions>
+LinkMotion resultant(const Element& element, int i, Motions&& of) {
+  if (element.deformations() == 1) return of(0);
+  double square = 0, product = 0;
+  for (int j = 0; j < element.deformations(); ++j) {
+    const LinkMotion motion = of(j);
+    const double scale = element.yield_deformation(i) / element.yield_deformation(j);
+    square += scale * scale * motion.penetration * motion.penetration;
+    product += scale * scale * motion.penetration * motion.rate;
+  }
+  const double size = std::sqrt(square);
+  return {size, size > 0 ? product / size : 0};
+}
 
 /// Memories of several elements, one after another: a plain value.
 class ElementMemories {
@@ -120,5 +140,14 @@ class ElementMemories {
   std::vector<double> words_;
   std::vector<std::size_t> first_;  // word of each element
 };
+
+/// Response of an undeformed element to these motions.
+inline ElementResponse first_response(const Element& element, std::span<const LinkMotion> motion) {
+  ElementMemories undeformed;
+  undeformed.add(element);
+  ElementResponse response;
+  element.evaluate(undeformed[0], motion, response);
+  return response;
+}
 
 }  // namespace pounding

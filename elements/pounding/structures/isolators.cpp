@@ -6,10 +6,14 @@
 #include <map>
 #include <memory>
 #include <stdexcept>
+#include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include <pounding/hysteresis/all.hpp>
+#include <pounding/structures/coupled_bouc_wen.hpp>
+#include <pounding/structures/coupled_pendulum.hpp>
 #include <pounding/structures/make_spring.hpp>
 #include <pounding/structures/sliding_spring.hpp>
 #include <pounding/structures/yielding_law.hpp>
@@ -48,6 +52,38 @@ SlidingFriction sliding(const IsolatorOptions::Velocity& velocity, const std::ve
           .sliding_deformation = number("yield_displacement")};
 }
 
+// A circle of radius (1-a) Fy around a k d.
+std::shared_ptr<const Element> coupled(const hysteresis::Bilinear& law) {
+  if (law.negative_yield_force.value_or(law.yield_force) != law.yield_force)
+    throw std::invalid_argument(
+        "negative_yield_force differs from yield_force, but a coupled law is the same in all directions; remove it, or "
+        "type coupled: false");
+  const double strength = (1 - law.hardening) * law.yield_force;
+  return std::make_shared<CoupledPendulum>(SlidingFriction{.weight = strength,
+                                                           .radius = strength / (law.hardening * law.initial_stiffness),
+                                                           .slow = 1,
+                                                           .fast = 1,
+                                                           .rate = 1,
+                                                           .sliding_deformation = law.yield_deformation()});
+}
+std::shared_ptr<const Element> coupled(const hysteresis::BoucWen& law) { return std::make_shared<CoupledBoucWen>(law); }
+
+std::shared_ptr<const Element> coupled_element(const hysteresis::AnyLaw& law) {
+  return std::visit(
+      []<class L>(const L& given) -> std::shared_ptr<const Element> {
+        if constexpr (requires { coupled(given); })
+          return coupled(given);
+        else if constexpr (requires { coupled(given.made()); })
+          return coupled(given.made());
+        else
+          throw std::invalid_argument(
+              std::string(L::name) +
+              " has no form that couples x and y; type coupled: false for separate laws along x and y, or one of "
+              "bilinear, bouc_wen, friction_pendulum, lead_rubber, elastomeric");
+      },
+      law);
+}
+
 }  // namespace
 
 bool needs_weight(const IsolatorOptions& isolator) {
@@ -58,22 +94,33 @@ bool needs_weight(const IsolatorOptions& isolator) {
          std::ranges::find(law->parameters, "weight", &hysteresis::ParameterInfo::name) != law->parameters.end();
 }
 
-YieldingPart make_isolator(std::string name, Row deformation, const IsolatorOptions& isolator, double weight) {
+std::vector<YieldingPart> make_isolator(const std::string& name, const std::vector<Row>& deformations,
+                                        const IsolatorOptions& isolator, double weight) {
   if (isolator.capacity && !(*isolator.capacity > 0 && std::isfinite(*isolator.capacity)))
     throw std::invalid_argument("capacity must be positive and finite");
   hysteresis::Settings law = isolator.law;
   if (needs_weight(isolator)) law.values.emplace("weight", weight);
   std::vector<YieldingPart::Parameter> parameters = parameters_of(law);
-  std::unique_ptr<Spring> spring = make_spring(law);
+  const bool in_space = deformations.size() > 1, is_coupled = in_space && isolator.is_coupled;
+  std::shared_ptr<const Element> element = is_coupled ? coupled_element(hysteresis::make_law(law)) : make_spring(law);
   if (isolator.velocity) {
-    spring = std::make_unique<SlidingSpring>(sliding(*isolator.velocity, parameters));
+    const SlidingFriction friction = sliding(*isolator.velocity, parameters);
+    if (is_coupled)
+      element = std::make_shared<CoupledPendulum>(friction);
+    else
+      element = std::make_shared<SlidingSpring>(friction);
     parameters.push_back({"slow_friction", isolator.velocity->slow_friction});
     parameters.push_back({"rate", isolator.velocity->rate});
   }
-  YieldingPart part(std::move(name), std::move(deformation), law.law, std::move(parameters), std::move(spring));
-  part.kind = YieldingPart::Kind::isolator;
-  part.parameters.push_back({"capacity", isolator.capacity.value_or(std::numeric_limits<double>::infinity())});
-  return part;
+  parameters.push_back({"capacity", isolator.capacity.value_or(std::numeric_limits<double>::infinity())});
+  std::vector<YieldingPart> parts;
+  for (std::size_t i = 0; i < deformations.size(); ++i) {
+    const char* const axis = i == 0 ? " x" : " y";
+    parts.emplace_back(in_space ? name + axis : name, deformations[i], law.law, parameters, element,
+                       is_coupled ? static_cast<int>(i) : 0);
+    parts.back().kind = YieldingPart::Kind::isolator;
+  }
+  return parts;
 }
 
 bool is_isolated(const Structure& s) { return std::ranges::any_of(s.yielding, isolates); }
@@ -125,15 +172,13 @@ SparseMatrix motions_on_fixed_base(const Structure& s) {
 }
 
 double isolated_period(const Structure& s) {
-  constexpr double far = 1e6;  // yield deformations
   Eigen::VectorXd along = Eigen::VectorXd::Zero(s.size());
   for (const Support& support : s.supports) along += support.influence.col(0);
   double stiffness = 0;
   for (const YieldingPart& part : s.yielding) {
     if (!isolates(part)) continue;
     const double unit = part.deformation.dot(along);
-    const laws::Response answer = LoadedSpring(part.spring()).evaluate({far * part.yield_deformation(), 0});
-    stiffness += (part.stiffness() + answer.by_penetration) * unit * unit;
+    stiffness += (part.stiffness() + slope_far_behind_yield(*part.element, part.direction)) * unit * unit;
   }
   const double mass = s.total_mass()[0];
   return stiffness > 1e-9 * mass ? 2 * M_PI * std::sqrt(mass / stiffness) : std::numeric_limits<double>::infinity();

@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <pounding/hysteresis/entry.hpp>
 #include <pounding/structures/damping.hpp>
@@ -22,16 +23,18 @@ struct IsolatorOptions {
     double slow_friction = 0, rate = 0;
   };
   std::optional<Velocity> velocity{};
-  bool is_coupled =
-      true;  ///< frames in space accept only false, for independent axes: coupled laws are not implemented
+  bool is_coupled = true;  ///< in space: true if a circle limits the force, false for independent laws along x and y
 };
 
 /// True if the law takes a weight and none is given. False for an unknown law.
 bool needs_weight(const IsolatorOptions& isolator);
 
-/// Creates an isolator from its deformation, as factors of the unknowns, and its weight [N]. Throws
-/// std::invalid_argument like make_spring(), and for a capacity that is not positive.
-YieldingPart make_isolator(std::string name, Row deformation, const IsolatorOptions& isolator, double weight);
+/// Creates the parts of an isolator from its deformations along x, and y in space, as factors of the unknowns, and its
+/// weight [N]. In space their names end in " x" and " y"; coupled ones share an element, see CoupledPendulum and
+/// CoupledBoucWen. Throws std::invalid_argument like make_spring(), for a capacity that is not positive, and in space
+/// for a law that cannot be coupled.
+std::vector<YieldingPart> make_isolator(const std::string& name, const std::vector<Row>& deformations,
+                                        const IsolatorOptions& isolator, double weight);
 
 /// True for an isolator: a part between the ground and a structure that is exempt from damping by ratios. Its parameter
 /// `capacity` is the deformation capacity [m], infinite if not given.

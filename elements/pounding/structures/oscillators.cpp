@@ -147,7 +147,7 @@ Row drift_of(int storey, int size) {
 YieldingPart isolators_under(const std::vector<double>& masses, const IsolatorOptions& options) {
   const double weight = standard_gravity * std::accumulate(masses.begin(), masses.end(), 0.0);
   try {
-    return make_isolator("isolators", drift_of(0, static_cast<int>(masses.size())), options, weight);
+    return make_isolator("isolators", {drift_of(0, static_cast<int>(masses.size()))}, options, weight).front();
   } catch (const std::invalid_argument& error) {
     throw std::invalid_argument("isolators: " + std::string(error.what()));
   }

@@ -19,7 +19,7 @@ constexpr int max_phases = 16;
 
 void SlidingFriction::check() const {
   laws::require_positive("weight", weight);
-  laws::require_positive("radius", radius);
+  if (!(radius > 0)) laws::refuse("radius", radius, "positive; infinite for a flat surface");
   laws::require_positive("friction", fast);
   if (!(slow > 0 && slow <= fast))
     laws::refuse("friction", slow, "positive, with the first value at most the second, " + laws::number_text(fast));

@@ -13,7 +13,7 @@ namespace pounding {
 /// v is the rate of d. Constantinou, Mokha & Reinhorn 1990, J. Struct. Eng. 116:455. W is the static weight.
 struct SlidingFriction {
   double weight = 0;                    ///< W > 0 [N]
-  double radius = 0;                    ///< R > 0 [m]
+  double radius = 0;                    ///< R > 0 [m]; infinite for a flat surface
   double slow = 0, fast = 0;            ///< mu_slow in (0, mu_fast], mu_fast [-]
   double rate = 0;                      ///< r > 0 [s/m]
   double sliding_deformation = 0.5e-3;  ///< u_y > 0 [m]

@@ -106,6 +106,10 @@ class Spring : public Element {
     load(memory, to[0]);
   }
   void accept(ElementMemory memory, std::span<const LinkStep> step) const final { accept(memory, step[0]); }
+  double dissipated(ConstElementMemory memory, int) const noexcept final {
+    const ElementEnergy energy = this->energy(memory);
+    return energy.lost + energy.damped;
+  }
 };
 
 /// A spring together with its memory, for static loading and for reports.

@@ -1,6 +1,8 @@
 #include <pounding/structures/yielding_law.hpp>
 
+#include <array>
 #include <limits>
+#include <span>
 #include <stdexcept>
 #include <variant>
 
@@ -35,10 +37,12 @@ std::vector<YieldingPart::Parameter> parameters_of(const hysteresis::Settings& s
   return all;
 }
 
-double slope_far_behind_yield(const Spring& spring) {
-  LinkMotion far{1000 * spring.yield_deformation(), 0};
-  far.lag = std::numeric_limits<double>::infinity();
-  return LoadedSpring(spring).evaluate(far).by_penetration;
+double slope_far_behind_yield(const Element& element, int direction) {
+  std::array<LinkMotion, max_deformations> far{};
+  far[direction].penetration = 1000 * element.yield_deformation(direction);
+  far[direction].lag = std::numeric_limits<double>::infinity();
+  const auto count = static_cast<std::size_t>(element.deformations());
+  return first_response(element, std::span(far).first(count)).by_deformation[direction][direction];
 }
 
 }  // namespace pounding

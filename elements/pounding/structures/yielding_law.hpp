@@ -29,7 +29,8 @@ struct SpringOptions {
 /// make_spring().
 std::vector<YieldingPart::Parameter> parameters_of(const hysteresis::Settings& settings);
 
-/// Slope of Spring::evaluate() at a thousand yield deformations [N/m], without a damper in parallel.
-double slope_far_behind_yield(const Spring& spring);
+/// Slope of force `direction` of an element, in addition to its stiffness, at a thousand yield deformations in this
+/// direction [N/m], without a damper in parallel.
+double slope_far_behind_yield(const Element& element, int direction = 0);
 
 }  // namespace pounding

@@ -46,10 +46,8 @@ void DeviceHistories::sample(double time, bool inside) {
 
 std::vector<DeviceSummary> DeviceHistories::summary() const {
   std::vector<DeviceSummary> all;
-  for (std::size_t i = 0; i < histories_.size(); ++i) {
-    const ElementEnergy energy = stepper_.links().energy(static_cast<int>(first_ + i));
-    all.push_back({histories_[i].name, histories_[i].extremes, energy.damped + energy.lost});
-  }
+  for (std::size_t i = 0; i < histories_.size(); ++i)
+    all.push_back({histories_[i].name, histories_[i].extremes, stepper_.links().lost(static_cast<int>(first_ + i))});
   return all;
 }
 

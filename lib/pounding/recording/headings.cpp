@@ -49,7 +49,7 @@ SpringHistory spring_heading(const Structure& s) {
     history.limits.push_back(part.limits);
   }
   const std::size_t parts = s.yielding.size();
-  history.deformations = history.forces = Extremes(parts);
+  history.deformations = history.forces = history.resultants = Extremes(parts);
   history.last.assign(parts, 0.0);
   for (std::vector<double>* values : {&history.lost, &history.plastic, &history.cycles.turn, &history.cycles.swings})
     values->assign(parts, 0.0);

@@ -12,9 +12,6 @@
 namespace pounding {
 namespace {
 
-// Energy dissipated by yielding, and by the damper of a device.
-double lost_by(const ElementEnergy& energy) { return energy.lost + energy.damped; }
-
 // True if the range extends beyond the extremes.
 bool exceeds(const Extremes& extremes, std::size_t i, double low, double high) {
   return low < extremes.min[i] || high > extremes.max[i];
@@ -32,6 +29,11 @@ double first_beyond(const LinkStep& step, const YieldLimits& limits) {
   double low = 0, high = beyond;
   while (high - low > 1e-12) (limits.exceeded_by(between.at(0.5 * (low + high))) ? high : low) = 0.5 * (low + high);
   return high;
+}
+
+void find_first_yield(SpringHistory& history, std::size_t i, const LinkStep& step) {
+  if (const double s = first_beyond(step, history.limits[i]); s <= 1)
+    history.first_yield[i] = step.begin + s * (step.end - step.begin);
 }
 
 // Peaks of a force that curves sharply inside a step.
@@ -105,8 +107,13 @@ void SpringHistories::begin() {
     history.last[i] = d;
     history.deformations.update(i, time, d);
     history.forces.update(i, time, assembled(k, i) * d + stepper_.link_forces()[link]);
-    if (history.limits[i].exceeded_by(d)) history.first_yield[i] = time;
-    reach(history, model_.structures[k].yielding[i], i, assembled(k, i), d, stepper_.link_forces()[link]);
+    const YieldingPart& part = model_.structures[k].yielding[i];
+    const double strained = resultant(*part.element, part.direction, [&](int j) {
+                              return stepper_.link_motion(link - part.direction + j);
+                            }).penetration;
+    if (!part.has_spring()) history.resultants.update(i, time, strained);
+    if (history.limits[i].exceeded_by(strained)) history.first_yield[i] = time;
+    reach(history, part, i, assembled(k, i), d, stepper_.link_forces()[link]);
   });
 }
 
@@ -185,10 +192,25 @@ void SpringHistories::step_part(int k, std::size_t i) {
   }
   reach(history, part, i, stiffness, end.penetration, step.force_end);
   history.last[i] = end.penetration;
-  history.lost[i] = lost_by(links.energy(link));
-  if (const YieldLimits& limits = history.limits[i];
-      std::isnan(history.first_yield[i]) && (limits.exceeded_by(low) || limits.exceeded_by(high)))
-    if (const double s = first_beyond(step, limits); s <= 1) history.first_yield[i] = step.begin + s * h;
+  history.lost[i] = links.lost(link);
+  if (!part.has_spring())
+    step_resultant(history, part, i, link - part.direction);
+  else if (const YieldLimits& limits = history.limits[i];
+           std::isnan(history.first_yield[i]) && (limits.exceeded_by(low) || limits.exceeded_by(high)))
+    find_first_yield(history, i, step);
+}
+
+// The resultant is between its values and rates at the ends of the step. `first` is the first link of the element.
+void SpringHistories::step_resultant(SpringHistory& history, const YieldingPart& part, std::size_t i, int first) {
+  LinkStep step = stepper_.link_step(first);
+  step.motion_begin =
+      resultant(*part.element, part.direction, [&](int j) { return stepper_.link_step(first + j).motion_begin; });
+  step.motion_end =
+      resultant(*part.element, part.direction, [&](int j) { return stepper_.link_step(first + j).motion_end; });
+  const LinkMotion &begin = step.motion_begin, &end = step.motion_end;
+  history.resultants.update(i, step.begin, step.end - step.begin, begin.penetration, begin.rate, end.penetration,
+                            end.rate);
+  if (std::isnan(history.first_yield[i])) find_first_yield(history, i, step);
 }
 
 // Velocities are almost linear in a step; where they reverse, the cubic through both ends gives the extreme.
@@ -217,8 +239,7 @@ void SpringHistories::sample(double time, bool inside) {
   visit_parts([&](int k, std::size_t i) {
     SpringHistory& history = histories_[k].springs;
     const int link = static_cast<int>(first_[k] + i);
-    double on_top = stepper_.link_forces()[link],
-           lost = stayed ? history.lost[i] : lost_by(stepper_.links().energy(link)), d = 0;
+    double on_top = stepper_.link_forces()[link], lost = stayed ? history.lost[i] : stepper_.links().lost(link), d = 0;
     if (!inside) {
       d = stepper_.link_motion(link).penetration;
     } else if (stayed) {

@@ -48,6 +48,7 @@ class SpringHistories {
   std::size_t place(int structure, std::size_t part) const { return first_[structure] - first_.front() + part; }
   double assembled(int structure, std::size_t part) const { return assembled_[place(structure, part)]; }
   void step_part(int structure, std::size_t part);
+  void step_resultant(SpringHistory& history, const YieldingPart& part, std::size_t i, int first);
   Quiet quiet(int structure, std::size_t part) const;
   void stay();
   void step_damping(const StoreyDamping& damping);

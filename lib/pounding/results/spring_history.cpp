@@ -23,15 +23,15 @@ void CycleCounts::follow(std::size_t part, double deformation, const YieldLimits
 void CycleCounts::archive(Archive& archive) { archive(turn, swings); }
 
 void SpringHistory::archive(Archive& archive) {
-  archive(deformations, forces);
+  archive(deformations, forces, resultants);
   for (std::vector<double>* values : {&last, &lost, &first_yield, &damping_shear, &plastic}) archive(*values);
   archive(cycles);
 }
 
 void SpringSummary::archive(Archive& archive) {
   archive(name, law, is_hinge);
-  for (double* value : {&peak, &peak_time, &peak_force, &ductility, &plastic, &ultimate, &cycles, &residual,
-                        &energy_lost, &first_yield, &damping_shear})
+  for (double* value : {&peak, &peak_time, &peak_force, &resultant, &resultant_time, &ductility, &plastic, &ultimate,
+                        &cycles, &residual, &energy_lost, &first_yield, &damping_shear})
     archive(*value);
 }
 
@@ -46,7 +46,14 @@ std::vector<SpringSummary> summaries(const SpringHistory& springs) {
       s.peak_time = up ? d.t_max[i] : d.t_min[i];
       s.peak_force = springs.forces.peak(i);
     }
+    s.resultant = std::abs(s.peak);
+    s.resultant_time = s.peak_time;
     s.ductility = springs.limits[i].ductility({d.min[i], d.max[i]}, {springs.forces.min[i], springs.forces.max[i]});
+    if (const double largest = springs.resultants.max[i]; largest > 0) {
+      s.resultant = largest;
+      s.resultant_time = springs.resultants.t_max[i];
+      s.ductility = largest / springs.limits[i].positive;
+    }
     s.plastic = springs.plastic[i];
     s.ultimate = springs.ultimate[i];
     s.cycles = springs.cycles.cycles(i);

@@ -39,6 +39,7 @@ struct SpringHistory {
 
   // The following cover the whole run up to now.
   Extremes deformations, forces;    ///< over all steps, including interior extrema
+  Extremes resultants;              ///< resultants of isolators that couple two directions; without values for others
   std::vector<double> last;         ///< current deformation
   std::vector<double> lost;         ///< energy dissipated by yielding [J]
   std::vector<double> first_yield;  ///< time at which the yield deformation was first exceeded [s]; NaN if never
@@ -59,7 +60,10 @@ struct SpringSummary {
   bool is_hinge = false;           ///< hinge at the end of a member
   double peak = 0, peak_time = 0;  ///< deformation of largest magnitude, signed [m] or [rad], and its time [s]
   double peak_force = 0;           ///< largest absolute force [N] or [N m]
-  /// largest ratio of deformation to the yield deformation in its direction, see YieldLimits::ductility()
+  /// largest deformation in any direction of an element [m], and its time [s]
+  double resultant = 0, resultant_time = 0;
+  /// largest ratio of deformation to the yield deformation in its direction, see YieldLimits::ductility(); of a part
+  /// that yields together with others, of their resultant
   double ductility = 0;
   double plastic = 0;  ///< largest absolute plastic deformation [m] or [rad]
   /// ultimate plastic rotation of a hinge [rad]; NaN if not given

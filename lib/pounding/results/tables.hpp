@@ -197,8 +197,8 @@ inline constexpr Variable<StructureHistory> structure_variables[] = {
     {"springs/summary/peak_force", "spring", "N", "largest absolute force; for hinges [N m]",
      of_springs<&Part::peak_force>},
     {"springs/summary/ductility", "spring", "1",
-     "largest ratio of deformation to the yield deformation in its direction; for hinges, of the rotation of the "
-     "member end to its yield rotation",
+     "largest ratio of deformation to the yield deformation in its direction; of a coupled isolator, of the resultant; "
+     "for hinges, of the rotation of the member end to its yield rotation",
      of_springs<&Part::ductility>},
     {"springs/summary/peak_plastic", "spring", "m", "largest absolute plastic deformation; for hinges [rad]",
      of_springs<&Part::plastic>},

@@ -47,13 +47,15 @@ inline std::vector<std::string> beyond_capacity(const Model& model, const Summar
     for (std::size_t i = 0; i < summary.structures[k].springs.size(); ++i) {
       const YieldingPart& part = model.structures[k].yielding[i];
       const SpringSummary& moved = summary.structures[k].springs[i];
-      if (const double capacity = part.parameter("capacity"); isolates(part) && std::abs(moved.peak) > capacity)
+      const std::string name = part.has_spring() ? part.name : part.name.substr(0, part.name.rfind(' '));
+      if (const double capacity = part.parameter("capacity");
+          isolates(part) && moved.resultant > capacity && part.direction == 0)
         texts.push_back(fmt::format(
             "structure {}, {}: {} at {:.4g} s exceeds the capacity of {}; the model is not valid beyond it. Type a "
             "larger "
             "capacity if the isolator has one, or a link to a wall with that gap if a stop limits it",
-            model.structures[k].name, part.name, format_quantity(std::abs(moved.peak), dimension::length, 4),
-            moved.peak_time, format_quantity(capacity, dimension::length)));
+            model.structures[k].name, name, format_quantity(moved.resultant, dimension::length, 4),
+            moved.resultant_time, format_quantity(capacity, dimension::length)));
     }
   return texts;
 }

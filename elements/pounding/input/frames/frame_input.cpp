@@ -135,12 +135,10 @@ class FrameReader {
         for (const auto& [dof, damping] : wish.dashpots) model_.frame.add_dashpot(node, dof, damping);
       });
     if (wish.isolator)
-      for (const int node : nodes)
-        for (const Dof dof : dofs_of(parts_.dimension()))
-          if (dof == Dof::ux || dof == Dof::uy) {
-            model_.isolators.push_back({node, dof, *wish.isolator});
-            parts_.frame.isolator_locations.push_back(location.at("isolator"));
-          }
+      for (const int node : nodes) {
+        model_.isolators.push_back({node, *wish.isolator});
+        parts_.frame.isolator_locations.push_back(location.at("isolator"));
+      }
     if (wish.delay > 0 || wish.motion)
       model_.supports.push_back({name, nodes, wish.delay, wish.motion});
     else

@@ -1,6 +1,7 @@
 #include <pounding/input/frames/frame_parser.hpp>
 
 #include <algorithm>
+#include <stdexcept>
 #include <string_view>
 
 #include <fmt/format.h>
@@ -101,10 +102,13 @@ void FrameParser::read_isolator(const Input& support, const Input& isolator, Sup
     if (dimension_ == 2) coupled->fail_at_key("is for frames in space; a plane frame moves along x only. Leave it out");
     wish.isolator->is_coupled = coupled->as_bool();
   }
-  if (dimension_ == 3 && wish.isolator->is_coupled)
-    isolator.fail(
-        "moves along x and y in space, and coupled laws are not available yet; type coupled: false for separate laws, "
-        "which overestimate the strength along a diagonal by a factor of up to 1.41");
+  if (dimension_ == 3) {
+    try {
+      make_isolator("", {Row(1), Row(1)}, *wish.isolator, 1);
+    } catch (const std::invalid_argument& error) {
+      isolator.fail(error.what());
+    }
+  }
   const auto acts = [&](Dof dof) { return dof == Dof::ux || dof == Dof::uy; };
   if (const auto fix = support.find("fix")) {
     if (std::ranges::any_of(wish.fixed, acts))

@@ -22,9 +22,10 @@ struct OfIsolators : YieldingKeys {
       {"capacity", quantity(dimension::length, bounds::positive), otherwise("none"),
        "Deformation capacity. It does not change the response; a run that exceeds it reports a warning.", "350 mm",
        "0.2.0"},
-      {"coupled", boolean(), otherwise("true, which is not supported in space"),
-       "false applies the law separately along x and along y in a frame in space, which overestimates the strength "
-       "along a diagonal by a factor of up to 1.41. Coupled laws are not available yet.",
+      {"coupled", boolean(), otherwise("true"),
+       "In a frame in space, true gives the isolator the same strength in every horizontal direction, for the laws "
+       "bilinear, bouc_wen, friction_pendulum, lead_rubber and elastomeric. false applies the law separately along x "
+       "and along y, which overestimates the strength along a diagonal by a factor of up to 1.41.",
        "false", "0.2.0"}};
 
   template <hysteresis::Law L>

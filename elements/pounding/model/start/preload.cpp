@@ -78,8 +78,12 @@ Eigen::VectorXd equilibrium(const Eigen::VectorXd& undeformed, const Eigen::Matr
 // The structures are assumed elastic.
 void refuse_yield(const Structure& s) {
   for (const YieldingPart& part : s.yielding) {
-    if (part.is_device()) continue;  // undeformed
-    const double strained = part.at_rest + part.deformation.dot(s.preload_displacement);
+    if (part.is_device() || part.direction > 0) continue;  // devices are undeformed
+    const auto motion = [&](int j) {
+      const YieldingPart& one = *(&part + j);
+      return LinkMotion{one.at_rest + one.deformation.dot(s.preload_displacement), 0};
+    };
+    const double strained = resultant(*part.element, 0, motion).penetration;
     if (const auto yield = yields_before(part, strained))
       refuse_preload(fmt::format("deforms {} of {} by {}, but it yields at {}; give less", part.name, s.name,
                                  deformation_text(s, part, strained), deformation_text(s, part, *yield)));

@@ -30,7 +30,10 @@ class StrainedParts {
     stiffness_.resize(size());
     for (Eigen::Index j = 0; j < size(); ++j) {
       const YieldingPart& part = s.yielding[static_cast<std::size_t>(parts_[j])];
-      springs_.emplace_back(part.spring());
+      if (part.direction == 0) {
+        elements_.push_back({part.element.get(), j});
+        memories_.add(*part.element);
+      }
       at_rest_[j] = part.at_rest;
       stiffness_[j] = part.stiffness();
     }
@@ -57,7 +60,8 @@ class StrainedParts {
   }
   // Advances the springs to these deformations.
   void start(const VectorXd& deformations) {
-    for (Eigen::Index j = 0; j < size(); ++j) springs_[static_cast<std::size_t>(j)].start({deformations[j], 0});
+    for (std::size_t i = 0; i < elements_.size(); ++i)
+      elements_[i].element->start(memories_[static_cast<int>(i)], motions(elements_[i], deformations));
   }
 
   // Forces F of the parts and their deformations d = elastic - flexibility F. `load` is its name in the message.
@@ -72,7 +76,7 @@ class StrainedParts {
     for (int iteration = 0; iteration < max_newton_iterations; ++iteration) {
       const VectorXd left = answer - found.forces;
       if (left.norm() <= rounding) return found;
-      const MatrixXd tangent = MatrixXd::Identity(size(), size()) + slopes.asDiagonal() * flexibility;
+      const MatrixXd tangent = MatrixXd::Identity(size(), size()) + slopes * flexibility;
       const VectorXd step = tangent.partialPivLu().solve(left);
       double part = 1;
       Equilibrium next{found.forces + step, {}};
@@ -89,18 +93,36 @@ class StrainedParts {
   }
 
  private:
-  std::pair<VectorXd, VectorXd> law(const VectorXd& deformations) const {
-    std::pair<VectorXd, VectorXd> all{deformations, deformations};
-    for (Eigen::Index j = 0; j < size(); ++j) {
-      const laws::Response r = springs_[static_cast<std::size_t>(j)].evaluate({deformations[j], 0});
-      all.first[j] = r.force, all.second[j] = r.by_penetration;
-    }
+  struct PartsOfElement {
+    const Element* element;
+    Eigen::Index first;  // part
+  };
+
+  static std::vector<LinkMotion> motions(const PartsOfElement& parts, const VectorXd& deformations) {
+    std::vector<LinkMotion> all;
+    for (int i = 0; i < parts.element->deformations(); ++i) all.push_back({deformations[parts.first + i], 0});
     return all;
+  }
+  std::pair<VectorXd, SparseMatrix> law(const VectorXd& deformations) const {
+    VectorXd forces(size());
+    std::vector<Eigen::Triplet<double>> slopes;
+    for (std::size_t k = 0; k < elements_.size(); ++k) {
+      const auto& [element, first] = elements_[k];
+      ElementResponse r;
+      element->evaluate(memories_[static_cast<int>(k)], motions(elements_[k], deformations), r);
+      for (int i = 0; i < element->deformations(); ++i) {
+        forces[first + i] = r.force[i];
+        for (int j = 0; j < element->deformations(); ++j)
+          slopes.emplace_back(static_cast<int>(first) + i, static_cast<int>(first) + j, r.by_deformation[i][j]);
+      }
+    }
+    return {std::move(forces), sparse_matrix(static_cast<int>(size()), static_cast<int>(size()), slopes)};
   }
 
   const Structure& structure_;
   std::vector<int> parts_;
-  std::vector<LoadedSpring> springs_;
+  std::vector<PartsOfElement> elements_;
+  ElementMemories memories_;
   VectorXd at_rest_, stiffness_;
 };
 

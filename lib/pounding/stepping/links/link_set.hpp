@@ -135,16 +135,16 @@ class LinkSet {
     return friction_force(friction, *system_.contacts[friction.contact], normal, response, along);
   }
 
-  /// Energies of the element of a spring; zero for all but the first of a coupled element.
-  ElementEnergy energy(int link) const {
+  /// Energy dissipated by a spring [J].
+  double lost(int link) const {
     const OneSpring& of = springs_[link - contacts_];
-    return of.direction == 0 ? system_.elements[of.element]->energy(of_spring(link)) : ElementEnergy{};
+    return system_.elements[of.element]->dissipated(of_spring(link), of.direction);
   }
   /// Force and loss of a spring inside its last accepted step, s from 0 to 1, at this deformation [m]. That of a
   /// coupled element is interpolated.
   Spring::Instant inside(int link, const LinkStep& step, double s, double deformation) const {
     if (!is_coupled(link)) return spring(link).inside(of_spring(link), step, s, deformation);
-    return {force_inside(step, s), energy(link).lost};
+    return {force_inside(step, s), lost(link)};
   }
 
   /// True if the link may have a force in its current phase: contacts that press, their friction, all springs.
