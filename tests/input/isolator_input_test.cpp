@@ -80,6 +80,22 @@ TEST(IsolatorInput, TreatsTheAxesSeparatelyInSpace) {
   EXPECT_EQ(model.structures[0].yielding[1].name, "isolator 0.0.0 y");
 }
 
+TEST(IsolatorInput, CouplesTheAxesInSpace) {
+  const Model model =
+      model_of(frame("{isolator: {friction_pendulum: {radius: 2 m, friction: [4 %, 8 %], rate: 60 s/m}}}",
+                     "      gravity: true\n", true));
+  const std::vector<YieldingPart>& parts = model.structures[0].yielding;
+  ASSERT_EQ(parts.size(), 8u);
+  EXPECT_EQ(parts[2].name, "isolator 0.1.0 x");
+  EXPECT_EQ(parts[3].name, "isolator 0.1.0 y");
+  EXPECT_EQ(parts[2].element, parts[3].element);
+  EXPECT_NE(parts[1].element, parts[2].element);
+  EXPECT_NEAR(parts[2].parameter("weight"), 35e3 * 9.80665, 1);
+  EXPECT_NEAR(isolated_period(model.structures[0]), 2 * M_PI * std::sqrt(2 / 9.80665), 1e-9);
+  EXPECT_TRUE(mentions(describe(model), {"4 isolators", "friction_pendulum, coupled along x and y"}));
+  EXPECT_NE(resolved_yaml(model).find("coupled: true"), std::string::npos);
+}
+
 TEST(IsolatorInput, ReportsErrorsInAShearBuilding) {
   refused(building("lead_rubber"), at("4:34", "structures.a.shear_building.isolator"),
           mentions({"isolator: {friction_pendulum: {radius: 2 m, friction: 6 %}}"}));
@@ -123,8 +139,17 @@ TEST(IsolatorInput, ReportsErrorsInAFrame) {
           at("11:117", "structures.a.frame.supports.feet.isolator.coupled"));
   refused(frame("{fix: [ux, uz], isolator: {" + law + "}}"), at("11:21", "structures.a.frame.supports.feet.fix"),
           mentions({"fix: [uz, ry]"}));
-  refused(frame("{isolator: {" + law + "}}", "", true), at("11:26", "structures.a.frame.supports.feet.isolator"),
-          mentions({"coupled: false", "1.41"}));
+  for (const std::string other : {"peak_oriented: {stiffness: 10 MN/m, yield_force: 100 kN}",
+                                  "menegotto_pinto: {stiffness: 10 MN/m, yield_force: "
+                                  "100 kN}"})
+    refused(frame("{isolator: {" + other + "}}", "", true), at("11:26", "structures.a.frame.supports.feet.isolator"),
+            mentions({other.substr(0, other.find(':')), "coupled: false", "bilinear", "bouc_wen", "friction_pendulum",
+                      "lead_rubber", "elastomeric"}));
+  refused(
+      frame("{isolator: {bilinear: {stiffness: 10 MN/m, yield_force: 100 kN, negative_yield_force: 50 kN}}}", "", true),
+      at("11:26", "structures.a.frame.supports.feet.isolator"), mentions({"negative_yield_force", "coupled: false"}));
+  refused(frame("{isolator: {" + law + ", coupled: yes please}}", "", true),
+          at("11:126", "structures.a.frame.supports.feet.isolator.coupled"), mentions({"true", "false"}));
   refused(frame("{delay: 0.1 s, isolator: {" + law + "}}", "        \"0.1\": fixed\n"),
           at("11:40", "structures.a.frame.supports.feet.isolator"), mentions({"ground_motion", "0.0"}));
 }

@@ -323,6 +323,29 @@ TEST(ResumeOfIsolatedBuildings, GivesTheSameBits) {
   expect_to_go_on(isolated, touched);
 }
 
+// Isolators in space, with constant and velocity-dependent friction, and a wall.
+constexpr const char* isolated_in_space =
+    "ground_motion: {components: {x: {harmonic: {amplitude: 3, period: 0.7, duration: 1.5}}, y: {harmonic: {amplitude: "
+    "2, period: 0.45, duration: 1.5}}}}\n"
+    "structures:\n"
+    "  w: {wall: {}}\n"
+    "  a: {damping: 2 %, frame: {origin: [1 m, 0 m, 0 m], material: {E: 30 GPa, G: 12 GPa}, gravity: true, grid: "
+    "{storeys: 1, bays: [1, 1], storey_height: 3 m, bay_width: 6 m, columns: {rectangle: [0.4, 0.4]}, beams: "
+    "{rectangle: [0.3, 0.5]}, floor_mass: 60 t}, masses: {0.0.0: 20 t, 0.1.0: 20 t, 0.0.1: 20 t, 0.1.1: 20 t}, "
+    "supports: {feet: {isolator: {friction_pendulum: {radius: 2 m, friction: LAW}}}}, ties: [{master: 0.0.0, nodes: "
+    "[0.1.0, 0.0.1, 0.1.1], dofs: [ux, uy]}]}}\n"
+    "links: [{between: [w, a.1], gap: 80 mm, law: kelvin_voigt_no_tension, stiffness: 100 MN/m, restitution: 0.6}]\n"
+    "analysis: {duration: 2, tolerance: 1e-4, output_step: 1e-2}\n";
+
+TEST(ResumeOfIsolatorsInSpace, GivesTheSameBits) {
+  for (const char* law : {"6 %", "[4 %, 8 %], rate: 60 s/m"}) {
+    std::string yaml = isolated_in_space;
+    yaml.replace(yaml.find("LAW"), 3, law);
+    expect_to_go_on(yaml, apart);
+    expect_to_go_on(yaml, touched);
+  }
+}
+
 // Extremes of members are tracked over several steps; the column of the left frame is hit between its ends.
 constexpr const char* frames =
     "ground_motion: {synthetic: {seed: 7, duration: 2 s, pga: 0.6 g}}\n"
