@@ -236,12 +236,13 @@ TEST(Pushover, RefusesIsolatorsThatCoupleTwoDirections) {
   const auto text = [](const std::string& coupled) {
     const Model model = read_model(Input::read_text(
         "ground_motion: {harmonic: {amplitude: 1, period: 1, duration: 1}}\nanalysis: {duration: 1}\nstructures:\n  a: "
-        "{damping: 0, frame: {dimension: 3, material: {E: 30 GPa}, nodes: {a: [0, 0, 0]}, floors: [{nodes: [a]}], "
+        "{damping: 0, frame: {dimension: 3, material: {E: 30 GPa}, nodes: {a: [0, 0, 0]}, floors: [{nodes: [a], rigid: "
+        "false}], "
         "masses: {a: "
         "100 t}, supports: {a: {isolator: {" +
             coupled + "lead_rubber: {strength: 50 kN, yield_displacement: 8 mm, post_yield_stiffness: 0.6 MN/m}}}}}}\n",
         "slab.yaml"));
-    return test::refusal([&] { pushover(model.structures[0], {.targets = {0.2}}); });
+    return test::refusal([&] { pushover(model.structures[0], {.pattern = LoadPattern::uniform, .targets = {0.2}}); });
   };
   EXPECT_TRUE(test::mentions(text(""), {"isolator a x", "coupled: false"})) << text("");
   EXPECT_FALSE(test::mentions(text("coupled: false, "), {"coupled"}));

@@ -126,7 +126,8 @@ TEST(IsolatorsInSpace, AgreeWithOpenSees) {
 
 constexpr const char* slider =
     "friction_pendulum: {radius: 2 m, friction: 6 %, yield_displacement: 1 mm, weight: 980.665 kN}";
-constexpr const char* rubber = "elastomeric: {strength: 50 kN, yield_displacement: 8 mm, post_yield_stiffness: 0.6 MN/m}";
+constexpr const char* rubber =
+    "elastomeric: {strength: 50 kN, yield_displacement: 8 mm, post_yield_stiffness: 0.6 MN/m}";
 const std::string apart = "coupled: false, ";
 
 TEST(IsolatorsInSpace, AreThatOfThePlaneInOneDirection) {
@@ -171,8 +172,8 @@ TEST(IsolatorsInSpace, StartFromADisplacement) {
       return fmt::format(", initial_node_displacements: {{a: {{ux: {}, uy: {}}}}}", x, y);
     };
     const Outcome single = test::run_text(mass_on(apart + law, quiet, moved(u, 0), short_run)),
-                  diagonal = test::run_text(
-                      mass_on(law, quiet, moved(u * std::sqrt(0.5), u * std::sqrt(0.5)), short_run));
+                  diagonal =
+                      test::run_text(mass_on(law, quiet, moved(u * std::sqrt(0.5), u * std::sqrt(0.5)), short_run));
     EXPECT_GT(springs(single).deformations.max[0] - springs(single).deformations.min[0], 0.02);
     for (const std::size_t part : {0, 1})
       EXPECT_LT(difference(diagonal, part, std::sqrt(2), single, 0), 1e-4) << law << ", part " << part;
