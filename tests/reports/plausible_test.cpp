@@ -59,6 +59,28 @@ TEST(Plausible, MembersFitTheirFrame) {
   EXPECT_TRUE(test::mentions(soft[1], {"accept: [E]", "30 kPa", "100 MPa", "30 GPa", "1.0", "a"}));
 }
 
+// Lambda of the papers is lambda theta_p of the older ones.
+TEST(Plausible, EnergyCapacitiesAreNotLambda) {
+  const auto storey = [](const std::string& capacity) {
+    return oscillator(
+        "mass: 100 t, period: 0.8 s, spring: {imk_bilinear: {yield_force: 200 kN, dp: 40 mm, dpc: 0.2 m, "
+        "Lambda_K: " +
+        capacity + "}}");
+  };
+  EXPECT_EQ(implausible(model_of(storey("1.5 m"))), Texts{});
+  EXPECT_TRUE(test::mentions(test::only(implausible(model_of(storey("50 m")))),
+                             {"accept: [Lambda]", "Lambda_K = 50", "lambda dp", "0.04", "Lambda_K: 2 m", "20", "a"}));
+  const auto hinges = [](const std::string& capacity) {
+    return frame(
+        ", hinges: {beams: {at: both, imk_peak_oriented: {yield_moment: 250 kN m, theta_p: 0.025, theta_pc: 0.15, "
+        "FmaxFy: 1.08, FresFy: 0.2, Lambda_S: " +
+        capacity + "}}}");
+  };
+  EXPECT_EQ(implausible(model_of(hinges("0.8"))), Texts{});
+  EXPECT_TRUE(test::mentions(test::only(implausible(model_of(hinges("100")))),
+                             {"accept: [Lambda]", "Lambda_S = 100", "theta_p", "0.025", "Lambda_S: 2.5"}));
+}
+
 TEST(Plausible, PartsYieldAtDeformationsThatCanBeSeen) {
   const auto storey = [](const std::string& force) {
     return oscillator("mass: 100 t, period: 0.8 s, yield_force: " + force + ", hardening: 2 %");

@@ -11,6 +11,9 @@
 #include <pounding/hysteresis/bouc_wen.hpp>
 #include <pounding/hysteresis/by_name.hpp>
 #include <pounding/hysteresis/friction_pendulum.hpp>
+#include <pounding/hysteresis/imk_bilinear.hpp>
+#include <pounding/hysteresis/imk_peak_oriented.hpp>
+#include <pounding/hysteresis/imk_pinching.hpp>
 #include <pounding/hysteresis/lead_rubber.hpp>
 #include <pounding/hysteresis/menegotto_pinto.hpp>
 #include <pounding/hysteresis/multilinear_elastic.hpp>
@@ -21,11 +24,13 @@
 namespace pounding::hysteresis {
 
 /// Any law of this library.
-using AnyLaw = std::variant<Bilinear, MenegottoPinto, BoucWen, PeakOriented, FrictionPendulum, LeadRubber, Elastomeric,
-                            Backfill, Restrainer, Uplift, MultilinearElastic>;
+using AnyLaw =
+    std::variant<Bilinear, MenegottoPinto, BoucWen, PeakOriented, FrictionPendulum, LeadRubber, Elastomeric, Backfill,
+                 Restrainer, Uplift, MultilinearElastic, ImkBilinear, ImkPeakOriented, ImkPinching>;
 
 /// Laws of hinges: those with an initial stiffness, a yield force and a hardening, which the hinge sets.
-using HingeLaw = std::variant<Bilinear, MenegottoPinto, BoucWen, PeakOriented>;
+using HingeLaw =
+    std::variant<Bilinear, MenegottoPinto, BoucWen, PeakOriented, ImkBilinear, ImkPeakOriented, ImkPinching>;
 
 /// True for a parameter that the hinge sets.
 template <class L>

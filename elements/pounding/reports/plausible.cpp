@@ -30,6 +30,7 @@ constexpr double softest_material = 1e8;                       // [Pa]
 constexpr double min_yield_drift = 1e-5;                       // [m]
 constexpr double min_yield_rotation = 2e-5;                    // [rad]
 constexpr double largest_ultimate_rotation = 0.5;              // [rad]
+constexpr double largest_capacity = 20;                        // [m] or [rad], of springs that deteriorate
 constexpr double deepest_penetration = 0.05;                   // [m]
 constexpr double coarsest_tolerance = 1e-2;
 constexpr double max_cut = 0.05;  // of the Arias intensity of a record
@@ -125,6 +126,18 @@ void warn_about_yielding(const Structure& s, Warnings& warnings) {
     if (!(ultimate > largest_ultimate_rotation)) return {};
     return fmt::format("has an ultimate rotation of {:.4g} rad, above 0.5 rad; a bare rotation is in rad, as in 0.03",
                        ultimate);
+  });
+  first_warning("Lambda", [](const YieldingPart& part) -> std::string {
+    const bool is_hinge = part.kind == YieldingPart::Kind::hinge;
+    const std::string plastic = is_hinge ? "theta_p" : "dp";
+    const double theta_p = part.parameter(plastic);
+    for (const char* const name : {"Lambda_S", "Lambda_C", "Lambda_A", "Lambda_K"})
+      if (const double value = part.parameter(name); value > largest_capacity)
+        return fmt::format(
+            "has {0} = {1:.4g}, above {2:g}; {0} is lambda {3} and has its unit: with lambda = {1:.4g} "
+            "and {3} = {4:.4g}, type {0}: {5:.4g}{6}",
+            name, value, largest_capacity, plastic, theta_p, value * theta_p, is_hinge ? "" : " m");
+    return {};
   });
 }
 

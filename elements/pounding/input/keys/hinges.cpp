@@ -109,7 +109,7 @@ struct OfHinges : YieldingKeys {
              shown(info.typical),
              "0.2.0"};
     if (spec.need == Need::optional)
-      spec.otherwise = parameter.value ? shown(made.*parameter.value) : std::string_view("from the other parameters");
+      spec.otherwise = parameter.value ? shown(made.*parameter.value) : std::string_view("none");
     return spec;
   }
 };
