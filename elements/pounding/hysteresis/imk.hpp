@@ -116,9 +116,9 @@ inline constexpr std::array imk_state{
     StateValue<L>{{"unloading", "N/m", "unloading stiffness; 0 before the first yield"},
                   [](const ImkState& kept) { return kept.k; }}};
 
-/// Base of such a law: backbone, rules of paths, and deterioration by beta = (E/(Et - SE))^c at exact points, with E the
-/// work since the last zero force, SE the total work, Et = Lambda Fy. At zero force, beta reduces the backbone of the
-/// side that is entered; at a reversal on the backbone, beta without the recoverable energy reduces the unloading
+/// Base of such a law: backbone, rules of paths, and deterioration by beta = (E/(Et - SE))^c at exact points, with E
+/// the work since the last zero force, SE the total work, Et = Lambda Fy. At zero force, beta reduces the backbone of
+/// the side that is entered; at a reversal on the backbone, beta without the recoverable energy reduces the unloading
 /// stiffness. The spring fails if beta reaches 1, and if a reversal would return energy faster than loading adds it.
 ///
 /// Self provides `turns_everywhere` (true if a reversal below the backbone also reduces the stiffness) and, for a State
@@ -154,8 +154,8 @@ struct Imk : PiecewiseLinear<Self, ImkState> {
     if (FmaxFy && !(std::isfinite(*FmaxFy) && *FmaxFy >= 1)) laws::refuse("FmaxFy", *FmaxFy, "finite and at least 1");
     // A hinge at a loose joint sets a hardening of 1e-8.
     if (FmaxFy && hardening > 1e-6)
-      throw std::invalid_argument("give FmaxFy or " + hardens + ", not both; FmaxFy = 1 + " + hardens +
-                                  " stiffness " + name(4) + "/" + yields);
+      throw std::invalid_argument("give FmaxFy or " + hardens + ", not both; FmaxFy = 1 + " + hardens + " stiffness " +
+                                  name(4) + "/" + yields);
     laws::require_positive(name(4), dp);
     laws::require_positive(name(5), dpc);
     laws::require_positive(ultimate, du);
@@ -163,11 +163,13 @@ struct Imk : PiecewiseLinear<Self, ImkState> {
       laws::refuse(ultimate, *du, "above the yield deformation, " + laws::number_text(yield_deformation()));
     if (!(FresFy >= 0 && FresFy < 1)) laws::refuse("FresFy", FresFy, "in [0, 1)");
     if (FmaxFy && *FmaxFy - 1 >= dp / yield_deformation())
-      laws::refuse("FmaxFy", *FmaxFy,
-                   "below " + laws::number_text(1 + dp / yield_deformation()) + ", so that the spring softens at yield");
+      laws::refuse(
+          "FmaxFy", *FmaxFy,
+          "below " + laws::number_text(1 + dp / yield_deformation()) + ", so that the spring softens at yield");
     for (const auto& [row, value] : {std::pair(8, Lambda_S), {9, Lambda_C}, {10, Lambda_K}})
       require_capacity(name(row), value);
-    for (const auto& [row, value] : {std::pair(11, c_S), {12, c_C}, {13, c_K}}) laws::require_positive(name(row), value);
+    for (const auto& [row, value] : {std::pair(11, c_S), {12, c_C}, {13, c_K}})
+      laws::require_positive(name(row), value);
   }
   double stiffness() const noexcept { return initial_stiffness; }
   double yield_deformation() const noexcept { return yield_force / initial_stiffness; }

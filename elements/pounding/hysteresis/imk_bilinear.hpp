@@ -16,7 +16,8 @@ namespace pounding::hysteresis {
 /// refined. Deterioration makes later forces depend on every reversal on the backbone.
 struct ImkBilinear : Imk<ImkBilinear> {
   static constexpr std::string_view name = "imk_bilinear",
-                                    shape = "yield, hardening over dp, softening to zero over dpc; beta = (E/(Et-SE))^c";
+                                    shape =
+                                        "yield, hardening over dp, softening to zero over dpc; beta = (E/(Et-SE))^c";
   static constexpr std::string_view summary = "steel with deterioration and softening (IMKBilin)";
   static constexpr std::string_view source =
       "Ibarra, Medina & Krawinkler 2005, Earthquake Eng. Struct. Dyn. 34:1489; Lignos & Krawinkler 2011, J. Struct. "

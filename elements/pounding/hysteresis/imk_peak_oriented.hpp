@@ -66,9 +66,9 @@ struct ImkReloading : Imk<Self> {
 /// below the residual force.
 struct ImkPeakOriented : ImkReloading<ImkPeakOriented> {
   static constexpr std::string_view name = "imk_peak_oriented",
-                                    shape = "backbone of imk_bilinear; reloading towards the last reversal and the peak";
-  static constexpr std::string_view summary =
-      "reinforced concrete with deterioration and softening (IMKPeakOriented)";
+                                    shape =
+                                        "backbone of imk_bilinear; reloading towards the last reversal and the peak";
+  static constexpr std::string_view summary = "reinforced concrete with deterioration and softening (IMKPeakOriented)";
   static constexpr std::string_view source =
       "Ibarra, Medina & Krawinkler 2005, Earthquake Eng. Struct. Dyn. 34:1489; Lignos & Krawinkler 2011, J. Struct. "
       "Eng. 137:1291";

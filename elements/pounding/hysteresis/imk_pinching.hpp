@@ -59,8 +59,7 @@ struct ImkPinching : ImkReloading<ImkPinching> {
     const ImkSide& a = of(s, s.side);
     const double force = backbone(a, a.peak);
     const bool is_ahead = a.turn < s.pinch && a.turn_force < s.pinch_force && s.pinch < a.peak && s.pinch_force < force;
-    if (is_ahead &&
-        (s.pinch_force - a.turn_force) / (s.pinch - a.turn) < (force - a.turn_force) / (a.peak - a.turn))
+    if (is_ahead && (s.pinch_force - a.turn_force) / (s.pinch - a.turn) < (force - a.turn_force) / (a.peak - a.turn))
       return go_to(s, ImkRule::to_pinch, a.turn, a.turn_force, s.pinch, s.pinch_force);
     go_to_peak(s, a.turn, a.turn_force);
   }

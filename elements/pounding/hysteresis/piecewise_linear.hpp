@@ -8,11 +8,11 @@
 
 namespace pounding::hysteresis {
 
-/// Base of a law Self with straight pieces. A piece is a line through (start, force) with a slope; it belongs to a side,
-/// which is the sign of its force, and ends at `end` in the direction of the side.
+/// Base of a law Self with straight pieces. A piece is a line through (start, force) with a slope; it belongs to a
+/// side, which is the sign of its force, and ends at `end` in the direction of the side.
 ///
-/// State has the members deformation [m], work [J] (done on the spring), start [m], force [N] and slope [N/m] of the line;
-/// the last three are unused while the spring is elastic. Self provides
+/// State has the members deformation [m], work [J] (done on the spring), start [m], force [N] and slope [N/m] of the
+/// line; the last three are unused while the spring is elastic. Self provides
 ///
 ///     bool is_elastic(const State&) const noexcept;  // f = k d until now
 ///     double end_of_piece(const State&, int way) const noexcept;  // deformation, infinite if there is none
@@ -32,9 +32,7 @@ struct PiecewiseLinear {
     if (self().is_elastic(end)) return {0, 0};
     return {force_at(end, d) - k * d, slope_of(end) - k};
   }
-  State advance(const State& kept, double d) const noexcept {
-    return moved(kept, d);
-  }
+  State advance(const State& kept, double d) const noexcept { return moved(kept, d); }
   /// Energy recovered by unloading to zero force.
   double stored(const State& kept) const noexcept {
     const double f = force_at(kept, kept.deformation);
@@ -71,9 +69,7 @@ struct PiecewiseLinear {
   double force_at(const State& s, double d) const noexcept {
     return self().is_elastic(s) ? self().stiffness() * d : s.force + s.slope * (d - s.start);
   }
-  double slope_of(const State& s) const noexcept {
-    return self().is_elastic(s) ? self().stiffness() : s.slope;
-  }
+  double slope_of(const State& s) const noexcept { return self().is_elastic(s) ? self().stiffness() : s.slope; }
   /// Work on a piece up to a deformation.
   double work_of(const State& from, double to) const noexcept {
     return 0.5 * (force_at(from, from.deformation) + force_at(from, to)) * (to - from.deformation);
