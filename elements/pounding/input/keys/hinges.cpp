@@ -75,8 +75,13 @@ struct OfHinges : YieldingKeys {
                       "Initial stiffness of the spring as a multiple of 6EI/L of the member.", "10", "0.2.0"});
     of_law.push_back(hinge_of_series(hinge_hardening_key));
     of_law.push_back(spring_hardening_key);
-    for (const auto& parameter : L::parameters)
-      if (!is_set_by_hinge(parameter)) of_law.push_back(key_of(parameter, made));
+    Example example;
+    example.add(moment_key);
+    for (const auto& parameter : L::parameters) {
+      if (is_set_by_hinge(parameter)) continue;
+      of_law.push_back(key_of(parameter, made));
+      if (of_law.back().need == required) example.add(of_law.back());
+    }
     add_choices(made, of_law);
     const Section& section = add_section(
         {kept(fmt::format("hinge_{}", L::name)), kept(fmt::format("structures.NAME.frame.hinges.NAME.{}", L::name)),
@@ -85,7 +90,7 @@ struct OfHinges : YieldingKeys {
     own.push_back(
         {L::name, map(section), otherwise("rigid-plastic"),
          kept(fmt::format("Spring in series with the member instead of a rigid-plastic hinge: {}.", L::summary)),
-         "{yield_moment: 210 kN m}", "0.2.0"});
+         kept(example.text()), "0.2.0"});
   }
 
  private:
