@@ -375,9 +375,9 @@ TEST_F(ResultsFile, RunWithoutLinksStandsInTheOtherOne) {
   Results run = small_run(), without_links = small_run();
   without_links.time = {0.0, 0.7, 1.5};
   without_links.title = "without links";
-  run.no_pounding = image_to_add(without_links);
+  run.add_no_pounding = group_without_links(std::make_shared<const Results>(without_links));
   for (int times = 0; times < 2; ++times) {
-    SCOPED_TRACE("the image can be written again");
+    SCOPED_TRACE("the group can be written again");
     write_results(run, path);
     const Reader file(path);
     EXPECT_EQ(file.values("/time"), run.time);

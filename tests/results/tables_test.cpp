@@ -38,40 +38,37 @@ constexpr tables::Variable<Sensors> variables[] = {
 };
 constexpr tables::Table<Sensors> table{groups, dimensions, variables};
 
-FileImage written(const Sensors& sensors) {
-  return hdf5::file_image([&](hid_t file) { tables::TableWriter(file, "sensors", table, sensors).write(); });
+hdf5::Handle written(const Sensors& sensors) {
+  hdf5::Handle file = hdf5::memory_file();
+  tables::TableWriter(file, "sensors", table, sensors).write();
+  return file;
 }
 
 /// Histories in the file, read as by a resumed run into an object without histories.
-Sensors resumed(const FileImage& image, bool has_pressure = true) {
+Sensors resumed(hid_t file, bool has_pressure = true) {
   Sensors empty{.time = {}, .pressure = {}, .offset = {}, .has_pressure = has_pressure};
-  hdf5::open_image(image, [&](hid_t file) {
-    tables::visit_histories(table, empty, "", [&](const std::string& path, Values& values) {
-      hdf5::read_array(file, path.c_str(), values);
-    });
-  });
+  tables::visit_histories(
+      table, empty, "", [&](const std::string& path, Values& values) { hdf5::read_array(file, path.c_str(), values); });
   return empty;
 }
 
 TEST(Tables, ALineIsWrittenWithItsShapeAndReadByAResumedRun) {
-  const FileImage image = written({});
-  hdf5::open_image(image, [&](hid_t file) {
-    EXPECT_EQ(hdf5::shape(file, "wet/pressure"), (std::vector<std::size_t>{3, 2}));
-    EXPECT_EQ(hdf5::shape(file, "wet/sensor"), std::vector<std::size_t>{2}) << "scale of the dimension";
-    Values offset;
-    hdf5::read_array(file, "wet/offset", offset);
-    EXPECT_EQ(offset, (Values{7, 8}));
-  });
-  const Sensors read = resumed(image);
+  const hdf5::Handle file = written({});
+  EXPECT_EQ(hdf5::shape(file, "wet/pressure"), (std::vector<std::size_t>{3, 2}));
+  EXPECT_EQ(hdf5::shape(file, "wet/sensor"), std::vector<std::size_t>{2}) << "scale of the dimension";
+  Values offset;
+  hdf5::read_array(file, "wet/offset", offset);
+  EXPECT_EQ(offset, (Values{7, 8}));
+  const Sensors read = resumed(file);
   EXPECT_EQ(read.time, Sensors{}.time);
   EXPECT_EQ(read.pressure, Sensors{}.pressure);
   EXPECT_EQ(read.offset, Values{}) << "a resumed run has it from the model";
 }
 
 TEST(Tables, AGroupThatIsAbsentIsNeitherWrittenNorRead) {
-  const FileImage image = written({.has_pressure = false});
-  hdf5::open_image(image, [&](hid_t file) { EXPECT_FALSE(hdf5::has(file, "wet")); });
-  EXPECT_EQ(resumed(image, false).pressure, Values{});
+  const hdf5::Handle file = written({.has_pressure = false});
+  EXPECT_FALSE(hdf5::has(file, "wet"));
+  EXPECT_EQ(resumed(file, false).pressure, Values{});
 }
 
 TEST(Tables, AListOfAnotherLengthThanItsDimensionsIsRefused) {
