@@ -101,7 +101,8 @@ Resolved resolved(const YieldingPart& part, bool in_space) {
 void add_parts(Resolved& to, const Structure& s) {
   constexpr const char* groups[] = {nullptr, "hinges", "isolators", "devices", "uplift"};
   for (const YieldingPart& part : s.yielding)
-    if (const char* const group = groups[static_cast<int>(part.kind)]) add(to[group], part.name, resolved(part, s.dimension == 3));
+    if (const char* const group = groups[static_cast<int>(part.kind)])
+      add(to[group], part.name, resolved(part, s.dimension == 3));
   if (!is_isolated(s)) return;
   if (const double period = isolated_period(s); std::isfinite(period)) to["isolated_period"] = period;
 }
