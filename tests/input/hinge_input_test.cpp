@@ -142,6 +142,8 @@ TEST(HingeInput, AnElementUsesTheLengthOfItsMember) {
 TEST(HingeInput, RejectsTwoDefinitionsOfHardening) {
   refused("{beams: {at: both, bouc_wen: {yield_moment: 1, hardening: 0.1, spring_hardening: 0.1}}}",
           at("4:72", "hinges.beams.bouc_wen.spring_hardening"), mentions({"spring_hardening"}));
+  refused("{beams: {at: both, imk_bilinear: {yield_moment: 1, theta_pc: 0.1}}}",
+          at("4:40", "hinges.beams.imk_bilinear"), mentions({"theta_p"}));
   refused("{beams: {at: both, bouc_wen: {yield_moment: 1, spring_hardening: 1}}}",
           at("4:74", "hinges.beams.bouc_wen.spring_hardening"), mentions({"5 %", "[0, 1)"}));
 }

@@ -58,10 +58,13 @@ hysteresis::HingeLaw read_hinge_law(const Input& node, std::string_view name) {
   hysteresis::HingeLaw found;
   keys::EachLaw<hysteresis::HingeLaw>::visit([&]<class L>(L law) {
     if (L::name != name) return;
-    for (const auto& parameter : L::parameters)
-      if (!is_set_by_hinge(parameter))
-        if (const auto value = node.find(name_at(hysteresis::Use::hinge, parameter.info)))
-          parameter.set(law, value->as_quantity());
+    for (const auto& parameter : L::parameters) {
+      if (is_set_by_hinge(parameter)) continue;
+      const std::string_view key = name_at(hysteresis::Use::hinge, parameter.info);
+      const bool required = parameter.info.need == laws::Need::required;
+      if (const auto value = required ? std::optional(node.at(key)) : node.find(key))
+        parameter.set(law, value->as_quantity());
+    }
     if constexpr (requires { L::choices; })
       for (const auto& choice : L::choices)
         if (const auto word = node.find(choice.info.name)) hysteresis::choose(law, choice.info.name, word->as_choice());
