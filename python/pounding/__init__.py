@@ -49,8 +49,7 @@ if TYPE_CHECKING:
     from pounding._studies.separation import separation
     from pounding._studies.study import study, sweep
     from pounding._studies.study_table import Study
-    from pounding._studies.suite import suite
-    from pounding._studies.suite_data import Suite
+    from pounding._studies.suite import Suite, suite
     from pounding._yielding import Loop, YieldingLaw, hysteresis
     from pounding.contact import FreeImpact, Law, Response, calibrate, laws
     from pounding.errors import AccuracyWarning, ImplausibleWarning, InputError, Interrupted, SolverError
@@ -119,8 +118,7 @@ _MODULES = {
     "_studies.separation": ("separation",),
     "_studies.study": ("study", "sweep"),
     "_studies.study_table": ("Study",),
-    "_studies.suite": ("suite",),
-    "_studies.suite_data": ("Suite",),
+    "_studies.suite": ("Suite", "suite"),
     "_yielding": ("Loop", "YieldingLaw", "hysteresis"),
 }
 _HOMES = {name: module for module, names in _MODULES.items() for name in names}

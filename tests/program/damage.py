@@ -16,7 +16,6 @@ import signal
 import subprocess
 import sys
 import tempfile
-import traceback
 from pathlib import Path
 from typing import NamedTuple
 
@@ -180,11 +179,13 @@ def words_for(words, path):
     return [str(path) if word == "RESULTS" else word for word in words]
 
 
-def fate_by_message(code, messages, opening="pounding: "):
+def fate_by_message(code, messages):
     if code < 0:
         return fate_by_signal(code)
     return (
-        "refused" if code == 2 and messages.startswith(opening) and "Traceback" not in messages else f"exit code {code}"
+        "refused"
+        if code == 2 and messages.startswith("pounding: ") and "Traceback" not in messages
+        else f"exit code {code}"
     )
 
 
@@ -204,6 +205,7 @@ def fate_of_verb(words, path):
 def fate_of_package(words, path):
     """As `fate_of_verb`, for a command of the package, without starting Python again."""
     from pounding.__main__ import MODULES, STUDIES
+    from pounding._ended import exit_code
 
     name, given = (
         (f"pounding.{MODULES[words[0]]}", words[1:]) if words[0] in MODULES else ("pounding._studies.command", words)
@@ -217,18 +219,9 @@ def fate_of_package(words, path):
         os.dup2(messages, 1)
         os.dup2(messages, 2)
         sys.stdout = sys.stderr = open(2, "w", buffering=1, closefd=False)
-        try:
-            return main(words_for(given, path))
-        except SystemExit as end:
-            return end.code if isinstance(end.code, int) else 1
-        except BaseException:
-            traceback.print_exc()
-            return 1
+        return exit_code(lambda: main(words_for(given, path)))
 
-    # The modules that draw and convert report the file name immediately.
-    return fate_by_message(
-        code_of_child(verb), (path.parent / "messages").read_text(), str(path) if words[0] in MODULES else "pounding: "
-    )
+    return fate_by_message(code_of_child(verb), (path.parent / "messages").read_text())
 
 
 def survey(count, seed, verbs):

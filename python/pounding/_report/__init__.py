@@ -18,7 +18,7 @@ from pounding.results import RunData
 
 if TYPE_CHECKING:
     from pounding._report.blocks import Report
-    from pounding._studies.suite_data import Suite
+    from pounding._studies.suite_data import SuiteData
 
 File = str | PathLike[str]
 
@@ -39,7 +39,7 @@ def write_report(run: RunData, path: File, *, spectra: Sequence[Spectrum] = ()) 
 
 
 @takes(path=arguments.file, percent=arguments.number(0, 100))
-def write_suite_report(suite: Suite, path: File, *, percent: float = 84.0) -> None:
+def write_suite_report(suite: SuiteData, path: File, *, percent: float = 84.0) -> None:
     """Writes the report of a suite, .pdf or .html, with this percentile. Raises the same errors as `write_report`, and
     InputError for the table of a study."""
     require_report(path)

@@ -24,9 +24,9 @@ def main(arguments: list[str] | None = None) -> int:
     parser.add_argument("--spectra", help="file with the spectra of the ground motion as a JSON object")
     options = parser.parse_args(arguments)
     if _is_table(options.results):
-        from pounding._studies.suite_data import Suite
+        from pounding._studies.suite_data import SuiteData
 
-        write_suite_report(Suite.open(options.results), options.output)
+        write_suite_report(SuiteData.open(options.results), options.output)
         tell("report", options.output)
         return 0
     spectra = read_spectra(read_object(options.spectra))[1] if options.spectra else []

@@ -15,7 +15,7 @@ from pounding._report.suite_tables import TABLE, Found
 from pounding._report.verdict import NOTABLE, member_clause
 from pounding._studies.batches import STATUSES
 from pounding._studies.scaling import Scaling
-from pounding._studies.suite_data import Suite
+from pounding._studies.suite_data import SuiteData
 from pounding._studies.suite_picture import DEFAULT, WITH, draw_panel, height_label, legend_lines
 from pounding._studies.suite_report import GRAVITY, numbers, scaling_text
 
@@ -27,15 +27,15 @@ WHOLE, DRAWN = 3, 8
 PANEL, LEGEND, SPECTRA = 41.0, 6.0, 38.0
 
 
-def report_of_suite(suite: Suite, percent: float = 84.0) -> Report:
+def report_of_suite(suite: SuiteData, percent: float = 84.0) -> Report:
     """The report of a suite with one percentile. Raises InputError for the table of a study."""
     _ = suite.layout
     found = numbers(suite, (percent,))
     counts = ", ".join(f"{count} {word}" for word, count in found["status"].items() if count)
     return Report(
-        found["title"] or "Suite of records",
+        found["title"] or "SuiteData of records",
         found["project"],
-        f"Suite of {len(suite)} records: {counts}",
+        f"SuiteData of {len(suite)} records: {counts}",
         list(_blocks(suite, found, percent)),
         "; ".join(
             [
@@ -49,7 +49,7 @@ def report_of_suite(suite: Suite, percent: float = 84.0) -> Report:
     )
 
 
-def _blocks(suite: Suite, found: Found, percent: float) -> Iterator[Heading | Paragraph | Table | Picture]:
+def _blocks(suite: SuiteData, found: Found, percent: float) -> Iterator[Heading | Paragraph | Table | Picture]:
     rank = f"{percent:g} %"
     yield Paragraph(verdict(found, rank), emphasis=True)
     yield from _unfinished(found)
@@ -145,7 +145,7 @@ def _unfinished(found: Found) -> Iterator[Paragraph]:
             yield Paragraph(f"{title}: {'; '.join(named[:NAMES])}{more}.")
 
 
-def _grid(suite: Suite, names: Sequence[str]) -> list[list[tuple[str, str]]]:
+def _grid(suite: SuiteData, names: Sequence[str]) -> list[list[tuple[str, str]]]:
     """Rows of panels (structure, quantity): all quantities of few structures, or one of many."""
     known = {name: [each for each in DEFAULT if each in suite.structure(name)["quantities"]] for name in names}
     if len(names) <= WHOLE:
@@ -154,7 +154,9 @@ def _grid(suite: Suite, names: Sequence[str]) -> list[list[tuple[str, str]]]:
     return [chosen[i : i + len(DEFAULT)] for i in range(0, len(chosen), len(DEFAULT))]
 
 
-def _draw(figure: Figure, box: Box, suite: Suite, grid: Sequence[Sequence[tuple[str, str]]], percent: float) -> None:
+def _draw(
+    figure: Figure, box: Box, suite: SuiteData, grid: Sequence[Sequence[tuple[str, str]]], percent: float
+) -> None:
     """Profiles above their legend."""
     left, bottom, width, height = box
     legend = LEGEND / (PANEL * len(grid) + LEGEND) * height

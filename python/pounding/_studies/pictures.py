@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from pounding import _arguments as arguments
-from pounding._studies.percentiles import swings
+from pounding._studies.sensitivity import swings
 from pounding._studies.summary import readable_unit
 from pounding.errors import InputError
 

@@ -31,7 +31,7 @@ if TYPE_CHECKING:
     import xarray
     from matplotlib.figure import Figure
 
-    from pounding._studies.percentiles import Indices
+    from pounding._studies.sensitivity import Indices
 
 File = str | PathLike[str]
 
@@ -97,7 +97,7 @@ class Study(Rows):
         Indices
             First and total indices.
         """
-        from pounding._studies.percentiles import sobol_indices
+        from pounding._studies.sensitivity import sobol_indices
 
         return sobol_indices(self, column)
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 import warnings
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from concurrent.futures import Executor
 from dataclasses import replace
 from os import PathLike
@@ -15,6 +15,7 @@ import numpy as np
 
 from pounding import _arguments as arguments
 from pounding import _yaml_text as yaml_text
+from pounding._arguments import takes
 from pounding._checked_file import STUDY
 from pounding._native import core
 from pounding._outputs import destination
@@ -22,14 +23,61 @@ from pounding._studies.execution import Progress
 from pounding._studies.plan import Plan, make_plan
 from pounding._studies.reading import text_without
 from pounding._studies.study import records_folder, run_plan
-from pounding._studies.suite_data import Suite
+from pounding._studies.suite_data import SuiteData
 from pounding.errors import ImplausibleWarning, InputError
 from pounding.models import Model
 
 if TYPE_CHECKING:
-    pass
+    from matplotlib.figure import Figure
 
 File = str | PathLike[str]
+
+
+class Suite(SuiteData):
+    """The table of a suite, with pictures and reports."""
+
+    def profiles(self, quantities: Sequence[str] | None = None, **options: Any) -> Figure:
+        """Profiles over the height: records thin, mean and 84 % thick, with and without pounding.
+
+        Parameters
+        ----------
+        quantities : sequence of str, optional
+            Quantities to draw.
+        **options
+            Options of the picture.
+
+        Returns
+        -------
+        matplotlib.figure.Figure
+            The picture.
+        """
+        from pounding._studies.suite_picture import profiles_figure
+
+        return profiles_figure(self, quantities, **options)
+
+    @takes(path=arguments.file)
+    def report(self, path: str | PathLike[str], *, percent: float = 84.0) -> None:
+        """Writes the report of the suite.
+
+        Parameters
+        ----------
+        path : str or os.PathLike
+            File to write, .pdf or .html; an existing one must be a report.
+        percent : float
+            Percentile to report with mean and maximum.
+
+        Raises
+        ------
+        InputError
+            The suffix is another one, or the file may not be replaced.
+        OSError
+            The file cannot be written.
+        ImportError
+            matplotlib is missing.
+        """
+        from pounding._report import write_suite_report
+
+        write_suite_report(self, path, percent=percent)
 
 
 def read_suite(name: File, store: Path | None = None) -> Plan:

@@ -5,8 +5,7 @@ from __future__ import annotations
 import hashlib
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from os import PathLike
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
@@ -18,9 +17,6 @@ from pounding._studies.study_table import Study
 from pounding._studies.table import open_study
 from pounding._texts import text as text_of
 from pounding.errors import InputError
-
-if TYPE_CHECKING:
-    from matplotlib.figure import Figure
 
 PERCENTS = (16.0, 50.0, 84.0)
 
@@ -49,7 +45,7 @@ class Statistics:
         return cls(mean.reshape(shape), tuple(percent), found.reshape(len(percent), *shape), largest.reshape(shape))
 
 
-class Suite(Study):
+class SuiteData(Study):
     """Arrays of a suite by record, their statistics, pictures and report. It is also a study with one row per record."""
 
     @property
@@ -250,49 +246,6 @@ class Suite(Study):
             Mean, percentiles and maximum.
         """
         return Statistics.of(np.asarray(values)[self.finished], percent)
-
-    def profiles(self, quantities: Sequence[str] | None = None, **options: Any) -> Figure:
-        """Profiles over the height: records thin, mean and 84 % thick, with and without pounding.
-
-        Parameters
-        ----------
-        quantities : sequence of str, optional
-            Quantities to draw.
-        **options
-            Options of the picture.
-
-        Returns
-        -------
-        matplotlib.figure.Figure
-            The picture.
-        """
-        from pounding._studies.suite_picture import profiles_figure
-
-        return profiles_figure(self, quantities, **options)
-
-    @takes(path=arguments.file)
-    def report(self, path: str | PathLike[str], *, percent: float = 84.0) -> None:
-        """Writes the report of the suite.
-
-        Parameters
-        ----------
-        path : str or os.PathLike
-            File to write, .pdf or .html; an existing one must be a report.
-        percent : float
-            Percentile to report with mean and maximum.
-
-        Raises
-        ------
-        InputError
-            The suffix is another one, or the file may not be replaced.
-        OSError
-            The file cannot be written.
-        ImportError
-            matplotlib is missing.
-        """
-        from pounding._report import write_suite_report
-
-        write_suite_report(self, path, percent=percent)
 
     def _columns(self, names: Sequence[str], alone: bool) -> np.ndarray:
         if alone and not self.has_comparison:

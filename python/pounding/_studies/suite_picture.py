@@ -13,7 +13,7 @@ from matplotlib.ticker import MaxNLocator
 
 from pounding import _arguments as arguments
 from pounding._pictures import style
-from pounding._studies.suite_data import Suite
+from pounding._studies.suite_data import SuiteData
 from pounding._studies.suite_report import FLOORS
 from pounding.errors import InputError
 
@@ -27,7 +27,7 @@ SHORT = {"displacement": "displ.", "acceleration": "accel.", "storey_shear": "sh
 
 
 def profiles_figure(
-    suite: Suite,
+    suite: SuiteData,
     quantities: Sequence[str] | None = None,
     *,
     percent: float = PERCENT,
@@ -74,7 +74,7 @@ def profiles_figure(
 
 
 def draw_panel(
-    axes: Axes, suite: Suite, name: str, quantity: str, percent: float, has_alone: bool, is_narrow: bool = False
+    axes: Axes, suite: SuiteData, name: str, quantity: str, percent: float, has_alone: bool, is_narrow: bool = False
 ) -> None:
     """Profiles of one quantity of a structure; `is_narrow` for small panels."""
     title, unit, size = FLOORS[quantity]
@@ -102,12 +102,12 @@ def draw_panel(
     axes.set_title(name, fontsize=8)
 
 
-def height_label(suite: Suite, name: str) -> str:
+def height_label(suite: SuiteData, name: str) -> str:
     """Label of the vertical axis of a structure."""
     return "height [m]" if suite.structure(name)["heights"] else "floor"
 
 
-def _all_rows(suite: Suite, finished: np.ndarray) -> np.ndarray:
+def _all_rows(suite: SuiteData, finished: np.ndarray) -> np.ndarray:
     """[record, floor] with NaN for unfinished records, as `statistics` expects."""
     found = np.full((len(suite), finished.shape[1]), np.nan)
     found[suite.finished] = finished

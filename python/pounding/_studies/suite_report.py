@@ -10,7 +10,7 @@ import numpy as np
 from pounding._studies.batches import STATUSES
 from pounding._studies.percentiles import finite
 from pounding._studies.scaling import Scaling
-from pounding._studies.suite_data import Statistics, Suite
+from pounding._studies.suite_data import Statistics, SuiteData
 
 GRAVITY = 9.80665  #: [m/s^2]
 #: Quantities of floors: title, unit and its size in SI.
@@ -29,7 +29,7 @@ SHOWN = 5
 MIN_DEMAND = 0.1
 
 
-def report(suite: Suite, percent: Sequence[float]) -> str:
+def report(suite: SuiteData, percent: Sequence[float]) -> str:
     """Tables of all floors, and of the members, hinges and links with the largest means."""
     found = numbers(suite, percent)
     lines = [*_counts(found), *_scaling(suite)]
@@ -104,7 +104,7 @@ def scaling_text(scaling: Scaling) -> list[str]:
     ]
 
 
-def _scaling(suite: Suite) -> list[str]:
+def _scaling(suite: SuiteData) -> list[str]:
     scaling = suite.scaling
     if scaling is None:
         return []
@@ -146,13 +146,13 @@ def _cell(value: float) -> str:
     return "-" if np.isnan(value) else f"{value:.4g}"
 
 
-def summary(suite: Suite, percent: Sequence[float]) -> dict[str, Any]:
+def summary(suite: SuiteData, percent: Sequence[float]) -> dict[str, Any]:
     """The numbers of the report in SI, for scripts; null for infinite numbers and for quantities that do not exist."""
     found: dict[str, Any] = _plain(numbers(suite, percent))
     return found
 
 
-def numbers(suite: Suite, percent: Sequence[float]) -> dict[str, Any]:
+def numbers(suite: SuiteData, percent: Sequence[float]) -> dict[str, Any]:
     """Same as `summary`, with infinite numbers, and NaN for quantities that do not exist."""
     model = suite.description["model"]
     found: dict[str, Any] = {
@@ -195,23 +195,23 @@ def numbers(suite: Suite, percent: Sequence[float]) -> dict[str, Any]:
     return found
 
 
-def _contacts(suite: Suite) -> np.ndarray:
+def _contacts(suite: SuiteData) -> np.ndarray:
     """[record] impacts of all links; zero without links."""
     return np.asarray(suite.of_links("impacts").sum(axis=1)) if suite.links else np.zeros(len(suite))
 
 
-def _has_forces(suite: Suite) -> bool:
+def _has_forces(suite: SuiteData) -> bool:
     """False if all links are rigid."""
     return any("force" in one["quantities"] for one in suite.layout["links"])
 
 
-def _forces(suite: Suite) -> np.ndarray:
+def _forces(suite: SuiteData) -> np.ndarray:
     """[record] largest force of all links [N]; NaN for failed records."""
     forces = suite.of_links("force")
     return np.asarray(np.fmax.reduce(forces, axis=1))
 
 
-def _of_records(suite: Suite) -> list[dict[str, Any]]:
+def _of_records(suite: SuiteData) -> list[dict[str, Any]]:
     """Name, factor, peak acceleration, status, and largest responses of each record."""
     forces = _forces(suite) if _has_forces(suite) else None
     contacts, rows = _contacts(suite), []
@@ -234,11 +234,11 @@ def _of_records(suite: Suite) -> list[dict[str, Any]]:
     return rows
 
 
-def _reason(suite: Suite, row: int) -> dict[str, str]:
+def _reason(suite: SuiteData, row: int) -> dict[str, str]:
     return {"reason": suite.reasons[row]} if row in suite.reasons else {}
 
 
-def _of_structure(suite: Suite, name: str, alone: bool, percent: Sequence[float]) -> dict[str, Any]:
+def _of_structure(suite: SuiteData, name: str, alone: bool, percent: Sequence[float]) -> dict[str, Any]:
     one = suite.structure(name)
     found: dict[str, Any] = {} if alone else {"floor": list(range(1, one["floors"] + 1))}
     for quantity in one["quantities"]:
@@ -313,7 +313,7 @@ def _largest(rows: Iterable[dict[str, Any]]) -> list[dict[str, Any]]:
     return sorted(every, key=lambda row: -row["demand"])[:SHOWN]
 
 
-def _numbers(suite: Suite, values: np.ndarray, percent: Sequence[float]) -> dict[str, Any]:
+def _numbers(suite: SuiteData, values: np.ndarray, percent: Sequence[float]) -> dict[str, Any]:
     found: Statistics = suite.statistics(values, percent)
     by_rank = {f"{one:g} %": found.percentiles[i].tolist() for i, one in enumerate(percent)}
     return {"mean": found.mean.tolist(), **by_rank, "max": found.max.tolist()}

@@ -397,7 +397,7 @@ class Wrong(unittest.TestCase):
             ({**factor("links.*.gap", uniform={"from": 2, "to": 4}), "sampling": {"random": 4}}, "did you mean"),
             ({**factor("links.*.gap", column="gap"), "sampling": {"table": {"gap": [0.5, 3]}}}, "did you mean 0.5 mm"),
             (factor("structures.left.oscillator.mass", list=[120]), "did you mean 120 t"),
-            ({"limits": {"drift": 30}}, "study.limits.drift: a bare 30 is in m; type its unit, as in 30 mm"),
+            ({"limits": {"drift": 30}}, "study.limits.drift: a bare 30 is in m; if 30 mm was meant, type its unit"),
             ({"limits": {"acceleration": 0.5}}, "study.limits.acceleration: a bare 0.5 is in m/s^2"),
             ({"limits": {"force": 5}}, "study.limits.force: a bare 5 is in N"),
             (

@@ -159,7 +159,7 @@ class Gaps(unittest.TestCase):
 @unittest.skipUnless(importlib.util.find_spec("SALib"), "SALib is not installed")
 class Indices(unittest.TestCase):
     def test_a_linear_model_has_the_indices_of_its_variances(self):
-        from pounding._studies.percentiles import sobol_indices
+        from pounding._studies.sensitivity import sobol_indices
         from pounding._studies.study_table import Study
 
         from SALib.sample import sobol

@@ -14,7 +14,7 @@ import pounding
 from pounding import _yaml_text as yaml_text
 from pounding.errors import ImplausibleWarning, InputError
 from pounding._studies.scaling import rotd100
-from pounding._studies.suite_data import Suite
+from pounding._studies.suite import Suite
 from pounding._studies.suite_data import Statistics
 from pounding._studies.target_spectra import asce7, en1998
 from messages import assert_mentions, raises

@@ -19,7 +19,7 @@ from pounding._report.html_page import html_page
 from pounding._report.pdf_pages import page_figures
 from pounding._report.suite_content import report_of_suite
 from pounding._studies.batches import FAILED
-from pounding._studies.suite_data import Suite
+from pounding._studies.suite import Suite
 from pounding._studies.suite_report import summary
 from messages import assert_mentions, raises
 from study_samples import bents, pair, write_records
