@@ -15,7 +15,7 @@
 #include "support/runs.hpp"
 
 namespace pounding {
-namespace deteriorating_oscillator_test {
+namespace deterioration_test {
 
 // 100 t, 0.6 s, 5 %, 3 m high, Fy = 0.12 of the weight.
 Outcome run_oscillator(double scale, const std::string& analysis) {
@@ -77,5 +77,5 @@ TEST(DeterioratingOscillator, CollapsesAtTheTimeOfAnIndependentIntegrator) {
   book.below("imbalance of the energies [-]", run.summary.energy.error, 1e-6);
 }
 
-}  // namespace deteriorating_oscillator_test
+}  // namespace deterioration_test
 }  // namespace pounding

@@ -130,7 +130,7 @@ inline constexpr std::array imk_state{
 ///     void go_on(State&) const noexcept;   // at the end of `to_pinch` and `to_turn`
 template <class Self>
 struct Imk : PiecewiseLinear<Self, ImkState> {
-  using State = ImkState;
+  using State = ImkState;  ///< accepted state
 
   double initial_stiffness = 0;      ///< Ke > 0 [N/m]
   double yield_force = 0;            ///< Fy > 0 [N]
@@ -174,13 +174,15 @@ struct Imk : PiecewiseLinear<Self, ImkState> {
   double stiffness() const noexcept { return initial_stiffness; }
   double yield_deformation() const noexcept { return yield_force / initial_stiffness; }
 
-  // Members of PiecewiseLinear.
+  /// True before the first yield.
   bool is_elastic(const State& s) const noexcept { return s.rule == ImkRule::elastic; }
+  /// Deformation at the end of the present piece, at most the ultimate one.
   double end_of_piece(const State& s, int way) const noexcept {
     const double end = end_of_rule(s, way), ultimate = du.value_or(HUGE_VAL);
     if (s.rule == ImkRule::failed || of(s, way).is_lost || !(way * s.deformation <= ultimate)) return end;
     return way * std::min(way * end, ultimate);
   }
+  /// Begins a path in the direction `way`: a reversal unloads, with a reduced stiffness on the backbone.
   void turn(State& s, int way) const noexcept {
     if (s.rule <= ImkRule::unloading || s.rule == ImkRule::failed || way == s.side) return;
     const double force = this->force_at(s, s.deformation);
@@ -195,6 +197,7 @@ struct Imk : PiecewiseLinear<Self, ImkState> {
     if (s.k == 0) return fail(s);
     begin(s, ImkRule::unloading, a.turn, a.turn_force, s.k, 0);
   }
+  /// Begins the piece beyond the present one.
   void arrive(State& s, int way) const noexcept {
     if (du && way * s.deformation >= *du && !of(s, way).is_lost) return lose(s, way);
     switch (s.rule) {

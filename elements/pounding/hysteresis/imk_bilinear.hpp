@@ -39,6 +39,7 @@ struct ImkBilinear : Imk<ImkBilinear> {
   static constexpr std::array parameters = imk_parameters<ImkBilinear>();
   static constexpr std::array state = imk_state<ImkBilinear>;
 
+  /// Reduces the backbone of the side that is entered.
   void deteriorate(State& s, double beta_S, double beta_C) const noexcept {
     const double residual = residual_force(), dy = yield_deformation();
     const double maximum = FmaxFy.value_or(1 + hardening * dp / dy) * yield_force;
@@ -62,11 +63,14 @@ struct ImkBilinear : Imk<ImkBilinear> {
       a.base = force - steepest * x;
     }
   }
+  /// Loads from zero force along the unloading stiffness.
   void reload(State& s) const noexcept { climb(s, s.side * s.deformation, 0); }
+  /// Continues beyond the last reversal.
   void resume(State& s) const noexcept {
     const ImkSide& a = of(s, s.side);
     s.is_on_backbone ? enter_backbone(s, a.turn) : climb(s, a.turn, a.turn_force);
   }
+  /// This law reloads in one line.
   void go_on(State&) const noexcept {}
 };
 

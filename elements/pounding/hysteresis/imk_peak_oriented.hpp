@@ -12,7 +12,7 @@ namespace pounding::hysteresis {
 /// the peak of the side that is entered is multiplied by 1 + beta_A.
 template <class Self>
 struct ImkReloading : Imk<Self> {
-  using State = ImkState;
+  using State = ImkState;  ///< accepted state
   static constexpr bool turns_everywhere = true, halves_after_residual = false, keeps_other_side = false;
   /// With typical parameters: reloading may be stiffer than unloading. The total loss is never negative.
   static constexpr double gives_back = 0.1;
@@ -25,6 +25,7 @@ struct ImkReloading : Imk<Self> {
     this->require_capacity("Lambda_A", Lambda_A);
     laws::require_positive("c_A", c_A);
   }
+  /// Reduces the backbone of the side that is entered and moves its peak outwards.
   void deteriorate(State& s, double beta_S, double beta_C) const noexcept {
     const double beta_A = this->beta(s, Lambda_A, c_A);
     ImkSide& a = this->of(s, s.side);
@@ -91,8 +92,11 @@ struct ImkPeakOriented : ImkReloading<ImkPeakOriented> {
                                  &ImkPeakOriented::c_A});
   static constexpr std::array state = imk_state<ImkPeakOriented>;
 
+  /// Loads from zero force towards the last reversal or the peak.
   void reload(State& s) const noexcept { go_to_turn_or_peak(s, s.side * s.deformation, 0); }
+  /// Continues beyond the last reversal towards the peak.
   void resume(State& s) const noexcept { go_to_peak(s, of(s, s.side).turn, of(s, s.side).turn_force); }
+  /// Continues beyond the last reversal towards the peak.
   void go_on(State& s) const noexcept { go_to_peak(s, s.end, of(s, s.side).turn_force); }
 };
 

@@ -47,6 +47,7 @@ struct ImkPinching : ImkReloading<ImkPinching> {
     if (!(kappaF > 0 && kappaF <= 1)) laws::refuse("kappaF", kappaF, "in (0, 1]");
     if (!(kappaD >= 0 && kappaD <= 1)) laws::refuse("kappaD", kappaD, "in [0, 1]");
   }
+  /// Loads from zero force towards the pinching point.
   void reload(State& s) const noexcept {
     const ImkSide& a = of(s, s.side);
     const double x = s.side * s.deformation, force = backbone(a, a.peak);
@@ -55,6 +56,7 @@ struct ImkPinching : ImkReloading<ImkPinching> {
     if (x < s.pinch) return go_to(s, ImkRule::to_pinch, x, 0, s.pinch, s.pinch_force);
     go_to_turn_or_peak(s, x, 0);
   }
+  /// Continues beyond the last reversal towards the pinching point or the peak.
   void resume(State& s) const noexcept {
     const ImkSide& a = of(s, s.side);
     const double force = backbone(a, a.peak);
@@ -63,6 +65,7 @@ struct ImkPinching : ImkReloading<ImkPinching> {
       return go_to(s, ImkRule::to_pinch, a.turn, a.turn_force, s.pinch, s.pinch_force);
     go_to_peak(s, a.turn, a.turn_force);
   }
+  /// Continues beyond the pinching point or the last reversal.
   void go_on(State& s) const noexcept {
     if (s.rule == ImkRule::to_pinch) return go_to_turn_or_peak(s, s.pinch, s.pinch_force);
     go_to_peak(s, s.end, of(s, s.side).turn_force);
