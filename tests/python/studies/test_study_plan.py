@@ -516,7 +516,7 @@ class Wrong(unittest.TestCase):
         random = lambda words: {"factors": factors(words), "sampling": {"random": 2}}
         for cov in ("1e308", "-1e308", "0"):
             self.refused(
-                ["study.factors.gap.lognormal.cov", "1e+06", str(cov)],
+                ["study.factors.gap.lognormal.cov", "1000000", str(cov)],
                 **random({"lognormal": {"median": "1 mm", "cov": cov}}),
             )
         self.refused(

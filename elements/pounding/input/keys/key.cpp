@@ -14,9 +14,9 @@ namespace pounding {
 
 std::string Bounds::text() const {
   if (has_low() && has_high())
-    return fmt::format(" in {}{:.10g}, {:.10g}{}", without_low ? '(' : '[', low, high, without_high ? ')' : ']');
-  if (has_low()) return fmt::format(" {} {:.10g}", without_low ? ">" : ">=", low);
-  if (has_high()) return fmt::format(" {} {:.10g}", without_high ? "<" : "<=", high);
+    return fmt::format(" in {}{:.7g}, {:.7g}{}", without_low ? '(' : '[', low, high, without_high ? ')' : ']');
+  if (has_low()) return fmt::format(" {} {:.7g}", without_low ? ">" : ">=", low);
+  if (has_high()) return fmt::format(" {} {:.7g}", without_high ? "<" : "<=", high);
   return {};
 }
 
