@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <iterator>
 #include <vector>
 
@@ -11,12 +12,22 @@
 #include <pounding/input/keys/sections.hpp>
 
 namespace pounding {
+namespace {
+
+// An end of an interval; integers have all digits.
+std::string end_text(double end) {
+  const bool is_integer = end == std::trunc(end) && std::abs(end) < 1e15;
+  return is_integer ? fmt::format("{:.0f}", end) : fmt::format("{:g}", end);
+}
+
+}  // namespace
 
 std::string Bounds::text() const {
   if (has_low() && has_high())
-    return fmt::format(" in {}{:.7g}, {:.7g}{}", without_low ? '(' : '[', low, high, without_high ? ')' : ']');
-  if (has_low()) return fmt::format(" {} {:.7g}", without_low ? ">" : ">=", low);
-  if (has_high()) return fmt::format(" {} {:.7g}", without_high ? "<" : "<=", high);
+    return fmt::format(" in {}{}, {}{}", without_low ? '(' : '[', end_text(low), end_text(high),
+                       without_high ? ')' : ']');
+  if (has_low()) return fmt::format(" {} {}", without_low ? ">" : ">=", end_text(low));
+  if (has_high()) return fmt::format(" {} {}", without_high ? "<" : "<=", end_text(high));
   return {};
 }
 
