@@ -1,4 +1,4 @@
-// A model is constant: repeated runs have the same bits.
+// A run does not change its model: repeated runs have the same bits.
 
 #include <gtest/gtest.h>
 

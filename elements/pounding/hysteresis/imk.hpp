@@ -52,6 +52,11 @@ struct ImkState {
   std::array<ImkSide, 2> sides{};
 };
 
+/// Publications of these laws.
+inline constexpr std::string_view imk_source =
+    "Ibarra, Medina & Krawinkler 2005, Earthquake Eng. Struct. Dyn. 34:1489; Lignos & Krawinkler 2011, J. Struct. "
+    "Eng. 137:1291";
+
 /// Table of the parameters of law L, which may have more. Named as in OpenSees, where deformations of a hinge are
 /// theta_p and theta_pc in the papers.
 template <class L, class... More>
@@ -246,6 +251,10 @@ struct Imk : PiecewiseLinear<Self, ImkState> {
     s.side = 0;
     begin(s, ImkRule::failed, 0, 0, 0, 0);
   }
+  /// Maximum of the backbone before any deterioration [N].
+  double maximum_force() const noexcept {
+    return FmaxFy.value_or(1 + hardening * dp / yield_deformation()) * yield_force;
+  }
   double backbone(const ImkSide& a, double x) const noexcept {
     return std::max(residual_force(), std::min(a.base + a.slope * x, a.top - a.soft * x));
   }
@@ -293,7 +302,7 @@ struct Imk : PiecewiseLinear<Self, ImkState> {
     }
   }
   void yield(State& s, int way) const noexcept {
-    const double dy = yield_deformation(), maximum = FmaxFy.value_or(1 + hardening * dp / dy) * yield_force;
+    const double dy = yield_deformation(), maximum = maximum_force();
     ImkSide a{.yield = yield_force, .slope = (maximum - yield_force) / dp, .soft = maximum / dpc};
     a.base = a.yield - a.slope * dy;
     a.top = maximum + a.soft * (dy + dp);

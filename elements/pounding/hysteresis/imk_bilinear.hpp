@@ -19,9 +19,7 @@ struct ImkBilinear : Imk<ImkBilinear> {
                                     shape =
                                         "yield, hardening over dp, softening to zero over dpc; beta = (E/(Et-SE))^c";
   static constexpr std::string_view summary = "steel with deterioration and softening (IMKBilin)";
-  static constexpr std::string_view source =
-      "Ibarra, Medina & Krawinkler 2005, Earthquake Eng. Struct. Dyn. 34:1489; Lignos & Krawinkler 2011, J. Struct. "
-      "Eng. 137:1291";
+  static constexpr std::string_view source = imk_source;
   static constexpr std::string_view symbols =
       "dp, dpc [m] deformations from yield to the maximum force and on to zero force, E [J] work since the last zero "
       "force, SE [J] total work, Et = Lambda Fy [J], c [-] exponents";
@@ -41,8 +39,7 @@ struct ImkBilinear : Imk<ImkBilinear> {
 
   /// Reduces the backbone of the side that is entered.
   void deteriorate(State& s, double beta_S, double beta_C) const noexcept {
-    const double residual = residual_force(), dy = yield_deformation();
-    const double maximum = FmaxFy.value_or(1 + hardening * dp / dy) * yield_force;
+    const double residual = residual_force(), maximum = maximum_force();
     ImkSide& a = of(s, s.side);
     if (a.slope + a.soft == 0) return;
     a.yield *= 1 - beta_S;

@@ -8,6 +8,17 @@
 
 namespace pounding::hysteresis {
 
+/// Table of the parameters of law L, derived from ImkReloading, which may have more.
+template <class L, class... More>
+constexpr auto imk_reloading_parameters(const More&... more) {
+  using P = Parameter<L>;
+  return imk_parameters<L>(
+      P{{"Lambda_A", "m", "energy capacity Lambda of accelerated reloading (default: no deterioration)", 1.5,
+         Need::optional},
+        &L::Lambda_A},
+      P{{"c_A", "", "exponent of this deterioration", 1, Need::optional}, &L::c_A}, more...);
+}
+
 /// Base of the laws that reload towards earlier peaks, with a fourth deterioration: at zero force, the deformation of
 /// the peak of the side that is entered is multiplied by 1 + beta_A.
 template <class Self>
@@ -70,9 +81,7 @@ struct ImkPeakOriented : ImkReloading<ImkPeakOriented> {
                                     shape =
                                         "backbone of imk_bilinear; reloading towards the last reversal and the peak";
   static constexpr std::string_view summary = "reinforced concrete with deterioration and softening (IMKPeakOriented)";
-  static constexpr std::string_view source =
-      "Ibarra, Medina & Krawinkler 2005, Earthquake Eng. Struct. Dyn. 34:1489; Lignos & Krawinkler 2011, J. Struct. "
-      "Eng. 137:1291";
+  static constexpr std::string_view source = imk_source;
   static constexpr std::string_view symbols =
       "dp, dpc [m] deformations from yield to the maximum force and on to zero force, Lambda [m] energy capacity over "
       "Fy, c [-] exponents";
@@ -83,13 +92,7 @@ struct ImkPeakOriented : ImkReloading<ImkPeakOriented> {
       "spring alone. Each reversal after yield reduces the unloading stiffness, also that of a ripple. The spring "
       "fails for good when its energy capacity is used up";
 
-  static constexpr std::array parameters = imk_parameters<ImkPeakOriented>(
-      Parameter<ImkPeakOriented>{
-          {"Lambda_A", "m", "energy capacity Lambda of accelerated reloading (default: no deterioration)", 1.5,
-           Need::optional},
-          &ImkPeakOriented::Lambda_A},
-      Parameter<ImkPeakOriented>{{"c_A", "", "exponent of this deterioration", 1, Need::optional},
-                                 &ImkPeakOriented::c_A});
+  static constexpr std::array parameters = imk_reloading_parameters<ImkPeakOriented>();
   static constexpr std::array state = imk_state<ImkPeakOriented>;
 
   /// Loads from zero force towards the last reversal or the peak.

@@ -16,9 +16,7 @@ struct ImkPinching : ImkReloading<ImkPinching> {
       shape = "backbone of imk_bilinear; reloading with kappaF of the slope to the peak, up to (1 - kappaD) d_res";
   static constexpr std::string_view summary =
       "connections and walls with pinching, deterioration and softening (IMKPinching)";
-  static constexpr std::string_view source =
-      "Ibarra, Medina & Krawinkler 2005, Earthquake Eng. Struct. Dyn. 34:1489; Lignos & Krawinkler 2011, J. Struct. "
-      "Eng. 137:1291";
+  static constexpr std::string_view source = imk_source;
   static constexpr std::string_view symbols =
       "d_res [m] residual deformation of the peak, kappaF, kappaD [-] pinching ratios, dp, dpc [m] deformations from "
       "yield to the maximum force and on to zero force, Lambda [m] energy capacity over Fy";
@@ -29,12 +27,7 @@ struct ImkPinching : ImkReloading<ImkPinching> {
   double kappaF = 0;  ///< in (0, 1] [-]
   double kappaD = 0;  ///< in [0, 1] [-]
 
-  static constexpr std::array parameters = imk_parameters<ImkPinching>(
-      Parameter<ImkPinching>{
-          {"Lambda_A", "m", "energy capacity Lambda of accelerated reloading (default: no deterioration)", 1.5,
-           Need::optional},
-          &ImkPinching::Lambda_A},
-      Parameter<ImkPinching>{{"c_A", "", "exponent of this deterioration", 1, Need::optional}, &ImkPinching::c_A},
+  static constexpr std::array parameters = imk_reloading_parameters<ImkPinching>(
       Parameter<ImkPinching>{{"kappaF", "", "force of the pinching point over that of the line to the peak", 0.4},
                              &ImkPinching::kappaF},
       Parameter<ImkPinching>{

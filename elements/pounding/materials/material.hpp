@@ -4,7 +4,7 @@
 /// A material is a hysteretic law (hysteresis/law.hpp) whose deformation is a strain [-] and whose force is a stress
 /// [Pa]; energies are per volume [J/m^3]. Tension is positive. It also provides
 ///
-///     struct Branch { double ...; };  // what the response needs of a state: numbers that depend on the state alone
+///     struct Branch { double ...; };  // numbers of the response that depend on the state only
 ///     Branch branch(const State&) const noexcept;  // computed when a step is accepted
 ///     Answer respond(const Branch&, double strain) const noexcept;  // free of branches, so that a loop vectorizes
 ///     static constexpr bool forgets_small_reversals;  // a reversal of size e changes later stresses by O(e)
@@ -40,9 +40,11 @@ concept Material = hysteresis::Law<M> && requires(const M& law, const typename M
 /// Base of a material Self whose stress is smooth between some strains. Self provides branch(), respond(branch,
 /// strain), advance(), and
 ///
-///     auto corners(const State&) const noexcept;  // array of strains of slope jumps ahead in either direction,
-///     unsorted double unloaded(const State&) const noexcept;  // strain at zero stress on direct unloading static
-///     constexpr bool is_cubic = true;  // optional: a polynomial of degree 3 or less between corners
+///     auto corners(const State&) const noexcept;  // array, unsorted, of the strains of slope jumps in both directions
+///
+///     double unloaded(const State&) const noexcept;  // strain at zero stress on direct unloading
+///
+///     static constexpr bool is_cubic = true;  // optional: a polynomial of degree 3 or less between corners
 ///
 /// Strains that are not strictly ahead, or not a number, are ignored.
 template <class Self>

@@ -9,10 +9,11 @@
 namespace pounding::sections {
 namespace {
 
-/// Empty if there is no equilibrium.
-std::optional<double> balance(const FibreSection& section, const FibreStates& states, double axial_force,
-                              Deformation deformation) {
-  const double stiffness = section.evaluate(section.states(), {}).stiffness[0];
+double initial_stiffness(const FibreSection& section) { return section.evaluate(section.states(), {}).stiffness[0]; }
+
+/// Axial strain; empty if there is no equilibrium. `stiffness` is the initial one.
+std::optional<double> balance(const FibreSection& section, const FibreStates& states, double stiffness,
+                              double axial_force, Deformation deformation) {
   const double allowed = 1e-15 * stiffness + 1e-13 * std::abs(axial_force);
   double low = -HUGE_VAL, high = HUGE_VAL;  // forces below and above the required one
   for (int i = 0; i < 200; ++i) {
@@ -46,10 +47,11 @@ Deformation bent(double axial_strain, double curvature, Axis axis) {
 /// Follows the path while `visit` gets points; returns the curvature that has no equilibrium, if any.
 std::optional<double> follow(const FibreSection& section, double axial_force, std::span<const double> curvatures,
                              Axis axis, const std::function<void(const CurvePoint&)>& visit) {
+  const double stiffness = initial_stiffness(section);
   FibreStates states = section.states();
   double strain = 0;
   const auto go_to = [&](double curvature) {
-    const auto balanced = balance(section, states, axial_force, bent(strain, curvature, axis));
+    const auto balanced = balance(section, states, stiffness, axial_force, bent(strain, curvature, axis));
     if (balanced) strain = *balanced;
     return balanced.has_value();
   };
@@ -69,7 +71,7 @@ std::optional<double> follow(const FibreSection& section, double axial_force, st
 
 double find_axial_strain(const FibreSection& section, const FibreStates& states, double axial_force,
                          Deformation deformation) {
-  const auto found = balance(section, states, axial_force, deformation);
+  const auto found = balance(section, states, initial_stiffness(section), axial_force, deformation);
   if (!found) fail(axial_force, std::hypot(deformation[1], deformation[2]));
   return *found;
 }
