@@ -6,6 +6,7 @@
 #include <vector>
 
 #include <pounding/frames/beam.hpp>
+#include <pounding/frames/corotation.hpp>
 #include <pounding/frames/frame.hpp>
 
 namespace pounding {
@@ -13,16 +14,8 @@ namespace pounding {
 /// A path-independent member with large rotations: a local frame rotates with the chord between the ends, and
 /// displacements relative to it are multiplied by `beam_stiffness`. The force is the gradient and the tangent the
 /// (symmetric) Hessian of the strain energy. The local part is linear, so members with a large axial force or strong
-/// bending must be subdivided; the error is proportional to the square of the length.
-///
-/// Displacements are the twelve of Beam. In space, the rotations of a node are its rotation vector (Euler axis times
-/// angle) from the undeformed state, whose angle must be below 2 pi. Moments are conjugate to its components, so they
-/// are moments about fixed axes only if the vector keeps its direction. A plane member can rotate by any angle. The
-/// rotation of an end relative to the chord must be below pi. Rigid offsets rotate with their node.
-///
-/// Plane: closed form, Crisfield, Non-linear Finite Element Analysis of Solids and Structures 1, 1991, ch. 7. In space:
-/// axes from the chord and the mean local y of the ends, Battini & Pacoste, CMAME 191 (2002) 1755-1789, with the
-/// tangent of the exact logarithm.
+/// bending must be subdivided; the error is proportional to the square of the length. Displacements and axes are those
+/// of Corotation.
 class CorotationalBeam {
  public:
   /// Energy of the member and its derivatives with respect to the displacements.
@@ -46,38 +39,16 @@ class CorotationalBeam {
   /// Forces on both ends in local axes rotated with the chord; equal to Beam::end_forces for small displacements.
   Vector12 end_forces(const Vector12& displacements) const;
   /// Local axes rotated with the chord, as rows; for zero displacements those of Beam.
-  Eigen::Matrix3d axes(const Vector12& displacements) const;
+  Eigen::Matrix3d axes(const Vector12& displacements) const { return motion_.axes(displacements, is_plane_); }
 
  private:
   CorotationalBeam(const Beam& beam, const Eigen::Vector3d& start_node, const Eigen::Vector3d& end_node, int dimension);
-  // In the rotated axes: rotations of the start, elongation, rotations of the end.
-  using Vector7 = Eigen::Matrix<double, 7, 1>;
-  using Matrix7 = Eigen::Matrix<double, 7, 7>;
-  struct Chord {
-    Eigen::Vector3d arm_start, arm_end, direction;  // rotated offsets; unit vector
-    double length, elongation;
-  };
-
-  /// A plane member: x and z in global axes, moments about global y.
-  struct Plane {
-    double start_x, start_z, end_x, end_z;          // rotated offsets
-    double x, z, length;                            // from end to end
-    double start_moment, normal_force, end_moment;  // on the ends
-    double force_x, force_z;                        // on the start
-    double energy;
-  };
-
   Response respond(const Vector12& displacements, Matrix12* tangent) const;
-  Chord chord(const Vector12& displacements) const;
-  Plane plane(const Vector12& displacements) const;
-  Response plane_response(const Plane& plane, Matrix12* tangent) const;
-  Response space_ends(const Vector12& displacements, const Chord& chord, Matrix12* tangent) const;
 
   bool is_plane_;
-  double length_;
-  Eigen::Vector3d start_offset_, end_offset_, undeformed_;  // the last between the ends
-  Eigen::Matrix3d axes_;                                    // columns, undeformed
-  Matrix7 stiffness_;
+  Corotation motion_;
+  Corotation::Matrix7 stiffness_;
+  Eigen::Matrix3d plane_stiffness_;
 };
 
 /// A corotational member of a frame: the arguments of Frame::add_member or Frame::add_truss.
