@@ -182,7 +182,7 @@ TEST(Reversals, FibresFollowTheExtremumInsideAStep) {
   section.accept(begin, at(0));
   FibreStates followed = begin, expected = begin, straight = begin;
   EXPECT_TRUE(section.may_reverse({times, samples}));
-  EXPECT_TRUE(section.accept(followed, {times, samples}, 1e-6));
+  EXPECT_TRUE(section.accept(followed, {times, samples}, 1e-6).reversed);
   section.accept(expected, at(0.55)), section.accept(expected, at(1));
   section.accept(straight, at(1));
   const Deformation probe{-3e-4, 0.012, 0};
@@ -190,7 +190,7 @@ TEST(Reversals, FibresFollowTheExtremumInsideAStep) {
   EXPECT_NEAR(section.evaluate(followed, probe).force[1], moment, 1e-9 * std::abs(moment));
   EXPECT_GT(std::abs(section.evaluate(straight, probe).force[1] - moment), 1e-3 * std::abs(moment));
   // Below the threshold, the path is straight.
-  EXPECT_FALSE(section.accept(begin, {times, samples}, 1));
+  EXPECT_FALSE(section.accept(begin, {times, samples}, 1).reversed);
   EXPECT_EQ(section.evaluate(begin, probe).force, section.evaluate(straight, probe).force);
 }
 

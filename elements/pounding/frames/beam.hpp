@@ -113,6 +113,8 @@ class Beam {
   /// Between the ends of the offsets [m].
   double length() const { return length_; }
   const Eigen::Matrix3d& axes() const { return axes_; }
+  /// Displacements of the ends in local axes, for displacements of the nodes in global axes.
+  const Matrix12& to_local() const { return to_local_; }
   /// Mass between the offsets [kg].
   double total_mass() const { return material_.density * section_.area * length_; }
 

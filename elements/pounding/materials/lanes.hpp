@@ -34,6 +34,11 @@ class Lanes {
   void restore(const M& law, std::span<const State> states) noexcept {
     for (std::size_t i = 0; i < states.size(); ++i) states_[i] = states[i], update(law, i);
   }
+  /// Writes or reads all states, see core/archive.hpp.
+  template <class Archive>
+  void archive(Archive& archive) {
+    archive(states_, branches_);
+  }
   /// Stresses and slopes of the fibres from index `first` at their strains. The arrays do not overlap.
   void respond(const M& law, std::size_t first, std::size_t count, const double* __restrict strain,
                double* __restrict stress, double* __restrict slope) const noexcept {

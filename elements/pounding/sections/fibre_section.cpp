@@ -145,20 +145,22 @@ void FibreSection::accept(FibreStates& states, const Deformation& deformation) c
              });
 }
 
-bool FibreSection::accept(FibreStates& states, const StageSamples& samples, double min_reversal) const {
-  bool any = false;
+Accepted FibreSection::accept(FibreStates& states, const StageSamples& samples, double min_reversal) const {
+  Accepted accepted;
   if (may_reverse(samples)) {
     std::vector<double> strains(samples.deformations.size());
     each(states, [&](const auto& law, auto& lanes, std::size_t i, std::size_t index) {
       for (std::size_t j = 0; j < strains.size(); ++j) strains[j] = strain_at(samples.deformations[j], y_[i], z_[i]);
       const auto turn = find_reversal(samples.times, strains);
       if (!turn || std::min(std::abs(*turn - strains.front()), std::abs(*turn - strains.back())) < min_reversal) return;
+      accepted.work += area_[i] * law.work(lanes.states()[index], *turn);
       lanes.accept(law, index, *turn);
-      any = true;
+      accepted.reversed = true;
     });
   }
+  accepted.work += work(states, samples.deformations.back());
   accept(states, samples.deformations.back());
-  return any;
+  return accepted;
 }
 
 bool FibreSection::may_reverse(const StageSamples& samples) const noexcept {
@@ -179,6 +181,14 @@ bool FibreSection::may_reverse(const StageSamples& samples) const noexcept {
             (rate(last) - rate(last - 1)) * (times[last] - times[last - 1]) / (times[last] - times[last - 2]));
     }
   return has_up && has_down;
+}
+
+double FibreSection::work(const FibreStates& states, const Deformation& deformation) const noexcept {
+  double sum = 0;
+  each(states, [&](const auto& law, const auto& lanes, std::size_t i, std::size_t index) {
+    sum += area_[i] * law.work(lanes.states()[index], strain_at(deformation, y_[i], z_[i]));
+  });
+  return sum;
 }
 
 double FibreSection::stored(const FibreStates& states) const noexcept {

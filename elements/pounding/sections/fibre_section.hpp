@@ -34,6 +34,12 @@ struct StageSamples {
 /// samples are monotonic.
 std::optional<double> find_reversal(std::span<const double> times, std::span<const double> strains) noexcept;
 
+/// Result of accepting a step: whether a fibre followed a reversal inside it, and the work per length [J/m].
+struct Accepted {
+  bool reversed = false;
+  double work = 0;
+};
+
 /// States of fibres of one material, of any law.
 template <class Any>
 struct LanesOf;
@@ -59,10 +65,12 @@ class FibreSection {
   /// Accepts a deformation.
   void accept(FibreStates& states, const Deformation& deformation) const noexcept;
   /// Accepts the end of a step. Each fibre first follows its reversal inside the step, if it differs from both ends by
-  /// at least `min_reversal` [-]; true if any fibre did.
-  bool accept(FibreStates& states, const StageSamples& samples, double min_reversal) const;
+  /// at least `min_reversal` [-].
+  Accepted accept(FibreStates& states, const StageSamples& samples, double min_reversal) const;
   /// True if the strain of any fibre may reverse inside the step.
   bool may_reverse(const StageSamples& samples) const noexcept;
+  /// Work of the stresses per length on the straight path to a deformation [J/m].
+  double work(const FibreStates& states, const Deformation& deformation) const noexcept;
   /// Recoverable energy per length [J/m].
   double stored(const FibreStates& states) const noexcept;
   /// Energy dissipated per length on the straight path to a deformation [J/m].
