@@ -3,8 +3,6 @@
 #include <pounding/frames/corotational.hpp>
 
 #include <algorithm>
-#include <array>
-#include <span>
 #include <stdexcept>
 #include <string>
 
@@ -15,6 +13,12 @@ namespace pounding {
 
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
+
+CorotationalBeam CorotationalBeam::of(const CorotationalMember& member, const AssembledFrame& assembled) {
+  const Vector3d &from = assembled.positions[member.start], &to = assembled.positions[member.end];
+  if (member.is_truss) return truss(from, to, member.section.area, member.material, assembled.dimension);
+  return {from, to, member.section, member.material, member.options, assembled.dimension};
+}
 
 std::vector<CorotationalMember> corotational_members(const Frame& frame) {
   std::vector<CorotationalMember> members;
@@ -29,10 +33,6 @@ std::vector<CorotationalMember> corotational_members(const Frame& frame) {
 CorotationalFrame::CorotationalFrame(const AssembledFrame& assembled, const std::vector<CorotationalMember>& members)
     : linear_(assembled.stiffness), rest_(assembled.stiffness) {
   const int nodes = static_cast<int>(assembled.positions.size());
-  constexpr std::array plane{0, 2, 4};
-  constexpr std::array space{0, 1, 2, 3, 4, 5};
-  const std::span<const int> dofs =
-      assembled.dimension == 2 ? std::span<const int>(plane) : std::span<const int>(space);
   std::vector<Eigen::Triplet<double>> entries;
   for (const CorotationalMember& m : members) {
     const std::string where = "member " + std::to_string(members_.size()) + " (nodes " + std::to_string(m.start) +
@@ -41,39 +41,19 @@ CorotationalFrame::CorotationalFrame(const AssembledFrame& assembled, const std:
       if (node < 0 || node >= nodes)
         refuse(where + "unknown node " + std::to_string(node) + "; number of nodes: " + std::to_string(nodes));
     try {
-      const Vector3d &from = assembled.positions[m.start], &to = assembled.positions[m.end];
-      members_.push_back({m.is_truss
-                              ? CorotationalBeam::truss(from, to, m.section.area, m.material, assembled.dimension)
-                              : CorotationalBeam(from, to, m.section, m.material, m.options, assembled.dimension),
-                          {},
-                          {},
-                          Matrix12::Zero()});
+      members_.push_back(
+          {CorotationalBeam::of(m, assembled), MemberUnknowns(assembled, m.start, m.end), Matrix12::Zero()});
     } catch (const std::invalid_argument& error) {
       refuse(where + error.what());
     }
     Member& member = members_.back();
-    for (const int end : {0, 1})
-      for (std::size_t at = 0; at < dofs.size(); ++at) {
-        const int row = (end == 0 ? m.start : m.end) * static_cast<int>(dofs.size()) + static_cast<int>(at);
-        using Transform = Eigen::SparseMatrix<double, Eigen::RowMajor>;
-        for (Transform::InnerIterator it(assembled.transform, row); it; ++it)
-          member.rows.emplace_back(6 * end + dofs[at], static_cast<int>(it.col()), it.value());
-      }
     member.beam.evaluate(Vector12::Zero(), member.linear);
-    for (const auto& a : member.rows)
-      for (const auto& b : member.rows)
-        entries.emplace_back(a.col(), b.col(), a.value() * member.linear(a.row(), b.row()) * b.value());
+    member.unknowns.add_entries(member.linear, entries);
   }
   const SparseMatrix turning = sparse_matrix(size(), size(), entries);
   rest_ -= turning;
   linear_ = (linear_ + 0 * turning).eval();  // keeps entries that are zero at rest in the sparsity pattern
-  for (Member& member : members_)
-    for (const auto& b : member.rows)
-      for (const auto& a : member.rows) {
-        const int* const column = linear_.innerIndexPtr() + linear_.outerIndexPtr()[b.col()];
-        const int* const end = linear_.innerIndexPtr() + linear_.outerIndexPtr()[b.col() + 1];
-        member.places.push_back(static_cast<int>(std::lower_bound(column, end, a.col()) - linear_.innerIndexPtr()));
-      }
+  for (Member& member : members_) member.unknowns.find_places(linear_);
   // The stiffness other than that of the members, without its round-off.
   rest_.prune([&](int i, int j, double value) {
     return std::abs(value) > 1e-12 * std::sqrt(linear_.coeff(i, i) * linear_.coeff(j, j));
@@ -90,16 +70,10 @@ void CorotationalFrame::require_size(const Eigen::VectorXd& q, const char* what)
            std::to_string(size()) + ", one per unknown of the frame");
 }
 
-Vector12 CorotationalFrame::displacements(const Member& member, const Eigen::VectorXd& q) {
-  Vector12 u = Vector12::Zero();
-  for (const auto& row : member.rows) u[row.row()] += row.value() * q[row.col()];
-  return u;
-}
-
 double CorotationalFrame::energy(const Eigen::VectorXd& q) const {
   require_size(q, "q");
   double sum = 0.5 * q.dot(rest_ * q);
-  for (const Member& member : members_) sum += member.beam.evaluate(displacements(member, q)).energy;
+  for (const Member& member : members_) sum += member.beam.evaluate(member.unknowns.displacements(q)).energy;
   return sum;
 }
 
@@ -107,8 +81,8 @@ Eigen::VectorXd CorotationalFrame::force(const Eigen::VectorXd& q) const {
   require_size(q, "q");
   Eigen::VectorXd sum = rest_ * q;
   for (const Member& member : members_) {
-    const Vector12 f = member.beam.evaluate(displacements(member, q)).force;
-    for (const auto& row : member.rows) sum[row.col()] += row.value() * f[row.row()];
+    const Vector12 f = member.beam.evaluate(member.unknowns.displacements(q)).force;
+    member.unknowns.add_force(f, sum);
   }
   return sum;
 }
@@ -123,11 +97,9 @@ void CorotationalFrame::add_excess_tangent(const Eigen::VectorXd& q, Eigen::Spar
   require_size(q, "q");
   for (const Member& member : members_) {
     Matrix12 k;
-    member.beam.evaluate(displacements(member, q), k);
+    member.beam.evaluate(member.unknowns.displacements(q), k);
     k -= member.linear;
-    const int* place = member.places.data();
-    for (const auto& b : member.rows)
-      for (const auto& a : member.rows) sum.valuePtr()[*place++] += a.value() * k(a.row(), b.row()) * b.value();
+    member.unknowns.add_to(sum.valuePtr(), k);
   }
 }
 
@@ -140,17 +112,17 @@ const CorotationalFrame::Member& CorotationalFrame::of(int member, const Eigen::
 
 Vector12 CorotationalFrame::end_forces(int member, const Eigen::VectorXd& q) const {
   const Member& m = of(member, q);
-  return m.beam.end_forces(displacements(m, q));
+  return m.beam.end_forces(m.unknowns.displacements(q));
 }
 
 Matrix3d CorotationalFrame::axes(int member, const Eigen::VectorXd& q) const {
   const Member& m = of(member, q);
-  return m.beam.axes(displacements(m, q));
+  return m.beam.axes(m.unknowns.displacements(q));
 }
 
 Vector12 CorotationalFrame::nodal_forces(int member, const Eigen::VectorXd& q) const {
   const Member& m = of(member, q);
-  return m.beam.evaluate(displacements(m, q)).force;
+  return m.beam.evaluate(m.unknowns.displacements(q)).force;
 }
 
 }  // namespace pounding

@@ -8,8 +8,18 @@
 #include <pounding/frames/beam.hpp>
 #include <pounding/frames/corotation.hpp>
 #include <pounding/frames/frame.hpp>
+#include <pounding/frames/member_unknowns.hpp>
 
 namespace pounding {
+
+/// A corotational member of a frame: the arguments of Frame::add_member or Frame::add_truss.
+struct CorotationalMember {
+  int start = 0, end = 0;
+  Section section;
+  Material material;
+  BeamOptions options{};
+  bool is_truss = false;  ///< only the area of the section is used
+};
 
 /// A path-independent member with large rotations: a local frame rotates with the chord between the ends, and
 /// displacements relative to it are multiplied by `beam_stiffness`. The force is the gradient and the tangent the
@@ -32,6 +42,9 @@ class CorotationalBeam {
   static CorotationalBeam truss(const Eigen::Vector3d& start_node, const Eigen::Vector3d& end_node, double area,
                                 const Material& material, int dimension);
 
+  /// A member of a frame.
+  static CorotationalBeam of(const CorotationalMember& member, const AssembledFrame& assembled);
+
   /// Response at displacements of its nodes.
   Response evaluate(const Vector12& displacements) const { return respond(displacements, nullptr); }
   /// Also computes the tangent, the second derivatives of the energy, at several times the cost.
@@ -49,15 +62,6 @@ class CorotationalBeam {
   Corotation motion_;
   Corotation::Matrix7 stiffness_;
   Eigen::Matrix3d plane_stiffness_;
-};
-
-/// A corotational member of a frame: the arguments of Frame::add_member or Frame::add_truss.
-struct CorotationalMember {
-  int start = 0, end = 0;
-  Section section;
-  Material material;
-  BeamOptions options{};
-  bool is_truss = false;  ///< only the area of the section is used
 };
 
 /// All members of a frame as corotational members.
@@ -107,13 +111,11 @@ class CorotationalFrame {
  private:
   struct Member {
     CorotationalBeam beam;
-    std::vector<Eigen::Triplet<double>> rows;  // displacement of the member, unknown, factor
-    std::vector<int> places;  // index of each pair of rows in the values of the tangent, first index fastest
-    Matrix12 linear;          // tangent at rest
+    MemberUnknowns unknowns;
+    Matrix12 linear;  // tangent at rest
   };
   class Path;
 
-  static Vector12 displacements(const Member& member, const Eigen::VectorXd& q);
   void add_excess_tangent(const Eigen::VectorXd& q, Eigen::SparseMatrix<double>& sum) const;
   const Member& of(int member, const Eigen::VectorXd& q) const;
   void require_size(const Eigen::VectorXd& q, const char* what) const;
