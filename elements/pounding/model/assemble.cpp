@@ -146,6 +146,7 @@ System assemble(const Model& model, const Assembly& assembly) {
     if (with_links && s.preload_displacement.size() > 0)
       group.velocity_floor = std::max(group.velocity_floor, 1e-2 * w * s.preload_displacement.cwiseAbs().maxCoeff());
     group.elastic = s.elastic.get();
+    group.tangent = s.tangent.get();
     system.groups.push_back(group);
   }
   // A structure driven by a force may hit one at rest.

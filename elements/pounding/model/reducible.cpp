@@ -32,7 +32,7 @@ Reduction reduction_of(const Model& model, int structure) {
 std::string why_not_reduced(const Model& model, int structure) {
   const Structure& s = model.structures[structure];
   if (s.is_rigid()) return "a wall has no modes";
-  if (s.elastic) return "its members have large rotations (corotational), so its stiffness changes";
+  if (const std::string why = s.why_stiffness_changes(); !why.empty()) return why + ", so its stiffness changes";
   if (s.is_free || s.rigid_motions > 0) return "it has no supports, so it has no static responses";
   if (columns_in_use(s.damping) > max_dashpots)
     return "its damping is a full matrix, due to modal damping above isolators; type damping: 5 %, proportional to the "

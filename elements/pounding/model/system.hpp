@@ -12,6 +12,7 @@
 #include <pounding/structures/elastic_forces.hpp>
 #include <pounding/structures/massless.hpp>
 #include <pounding/structures/spring.hpp>
+#include <pounding/structures/tangent_forces.hpp>
 
 namespace pounding {
 
@@ -30,6 +31,8 @@ struct Group {
   /// Nonlinear elastic forces that replace K u; K is their tangent at rest and defines Rayleigh damping. Null if
   /// linear.
   const ElasticForces* elastic = nullptr;
+  /// Forces with a memory that replace K u; K defines Rayleigh damping. Null if there are none.
+  const TangentForces* tangent = nullptr;
 };
 
 /// M a + C v + K u + B F = -P ag(t), with accelerations of the ground and forces over time in ag. Displacements are

@@ -20,6 +20,7 @@
 namespace pounding {
 
 class ElasticForces;
+class TangentForces;
 
 /// A quantity as factors of the unknowns.
 using Row = Eigen::SparseVector<double>;
@@ -225,6 +226,7 @@ struct Structure {
   SparseMatrix mass, stiffness;                  ///< n x n, symmetric [kg], [N/m]
   SparseMatrix damping;                          ///< n x n, in addition to Rayleigh and modal damping [N s/m]
   std::shared_ptr<const ElasticForces> elastic;  ///< nonlinear elastic forces that replace K q; null if linear
+  std::shared_ptr<const TangentForces> tangent;  ///< forces with a memory that replace K q; null if there are none
   double by_mass = 0, by_stiffness = 0;          ///< Rayleigh damping: by_mass M + by_stiffness K [1/s], [s]
   double modal_ratio = 0;             ///< modal damping: fraction of critical damping in every mode of M and K [-]
   SparseMatrix modal_damping;         ///< its matrix, which is dense [N s/m]; empty until needed
@@ -267,6 +269,12 @@ struct Structure {
   int size() const { return static_cast<int>(mass.rows()); }
   /// True for a wall, which moves with the ground.
   bool is_rigid() const { return size() == 0; }
+  /// Why K is not its stiffness away from the state at rest: "its members have large rotations (corotational)"; empty
+  /// if it is, apart from yielding parts.
+  std::string why_stiffness_changes() const {
+    if (tangent) return "its members are of fibres";
+    return elastic ? "its members have large rotations (corotational)" : "";
+  }
   /// Number of parts other than devices, which come first. For a shear building: its isolators, all storeys above them,
   /// or both, from the ground up.
   std::size_t members_that_yield() const;

@@ -49,7 +49,7 @@ Block block_of(const Structure& s, int first) {
 
 std::string unfit(const Structure& s) {
   if (!s.yielding.empty()) return s.name + " yields";
-  if (s.elastic) return s.name + " has large rotations";
+  if (const std::string why = s.why_stiffness_changes(); !why.empty()) return s.name + ": " + why;
   if (!s.applied_forces.empty()) return s.name + " has forces over time";
   return "";
 }

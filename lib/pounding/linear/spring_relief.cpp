@@ -44,8 +44,9 @@ SpringRelief::SpringRelief(const System& system) {
     const std::vector<int> massless = split_by_mass(system.mass, group.first, group.count).massless;
     const std::vector<int> springs = springs_without_mass(columns, massless, group.first);
     if (springs.empty()) continue;
-    if (group.elastic)
-      throw std::invalid_argument("a spring acts on a massless degree of freedom of a structure with large rotations");
+    if (group.elastic || group.tangent)
+      throw std::invalid_argument(
+          "a spring acts on a massless degree of freedom of a structure whose members have large rotations or fibres");
     const Eigen::SimplicialLDLT<SparseMatrix> factor(submatrix(system.stiffness, massless, massless, group.first));
     if (factor.info() != Eigen::Success || !(factor.vectorD().minCoeff() > 0))
       throw std::invalid_argument("a massless degree of freedom has no stiffness");

@@ -109,6 +109,8 @@ class LinearOperator {
   /// Sets A for the next solves. `step_level` = k if the step is the longest divided by 2^k, so that its factor is
   /// cached.
   virtual void set_matrix(const EffectiveMatrix& matrix, const std::optional<int>& step_level) = 0;
+  /// Sets the stiffness of a group with TangentForces in A for the next solves, by default K.
+  virtual void set_tangent(int /*group*/, const SparseMatrix& /*tangent*/) {}
   /// Replaces x by A^-1 x. False if the solve failed.
   virtual bool solve(Eigen::Ref<Eigen::VectorXd> x) = 0;
 };

@@ -76,6 +76,11 @@ Energies EnergyLedger::energies(const Equations& equations, const Instant& now) 
   if (equations.pseudo_forces.any()) {
     e.strain += equations.pseudo_forces.energy(solver.physical(x.col(u)));
   }
+  if (equations.tangents.any()) {
+    const TangentForces::Energy members = equations.tangents.energy(x.col(u));
+    e.strain += members.stored;
+    e.hysteretic += members.dissipated;
+  }
   const LinkMemory& memory = equations.links.memory();
   for (std::size_t i = 0; i < equations.system.elements.size(); ++i) {
     const ElementEnergy own = equations.system.elements[i]->energy(memory.elements[static_cast<int>(i)]);

@@ -39,6 +39,7 @@ Equations::Equations(const System& of_system, StructureSolver& of_solver, bool c
       supports(of_system, of_solver),
       short_motions(of_system, of_solver),
       pseudo_forces(of_system),
+      tangents(of_system, of_solver),
       rigid(rigid_contacts(of_system, of_solver)),
       width(carries ? 4 : 3) {
   for (const StructureSolver::Segment& segment : solver.layout().segments) own_groups_.push_back(segment.group);
@@ -52,7 +53,7 @@ Instant Equations::zero_instant() const {
   x.ground = x.ground_carried = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(system.grounds.size()));
   // The gravity terms are constant; the ground terms are recomputed at every instant.
   if (links.moved()) supports.relative_motion(0, x.ground, x.by_ground);
-  if (pseudo_forces.any()) x.pseudo_force = Eigen::VectorXd::Zero(solver.size());
+  if (has_pseudo_forces()) x.pseudo_force = Eigen::VectorXd::Zero(solver.size());
   if (slips.any()) x.slip = x.friction_slip_rate = Eigen::VectorXd::Zero(slips.size());
   if (springs.any()) {
     x.relief = Eigen::VectorXd::Zero(links.springs());
@@ -86,9 +87,15 @@ void Equations::multiply(Instant& x, int first, int count) const {
 }
 
 void Equations::pseudo_force(Eigen::Ref<const Eigen::VectorXd> displacement, Eigen::VectorXd& force) {
+  elastic_pseudo_force(displacement, force);
+  tangents.add_pseudo_force(displacement, force);
+}
+
+void Equations::elastic_pseudo_force(Eigen::Ref<const Eigen::VectorXd> displacement, Eigen::VectorXd& force) {
+  force.setZero(solver.size());
+  if (!pseudo_forces.any()) return;
   whole_ = solver.physical(displacement);
   pseudo_forces.evaluate(own_groups_, whole_, whole_force_);
-  force.setZero(solver.size());
   solver.add_physical_forces(whole_force_, force);
 }
 
@@ -136,6 +143,8 @@ void Equations::balance(std::span<const LinkMotion> motions, const Eigen::Matrix
 
 void Equations::balance(Instant& x) {
   using enum Instant::Column;
+  tangents.begin_step();
+  tangents.recover(x.motion.col(v));
   solver.stiffness_times(x.motion.col(v), x.motion.col(kv));
   solver.damping_times(x.motion.col(v), x.motion.col(kv), x.motion.col(cv));
   gather(x);
@@ -145,13 +154,14 @@ void Equations::balance(Instant& x) {
   const Eigen::VectorXd& push = supports.push(x.ground);
   auto acceleration = x.motion.col(a);
   acceleration = -push - x.motion.col(ku) - x.motion.col(cv);
-  if (pseudo_forces.any()) acceleration -= x.pseudo_force;
+  if (has_pseudo_forces()) acceleration -= x.pseudo_force;
   motions_.resize(static_cast<std::size_t>(links.size()));
   for (int i = 0; i < links.size(); ++i) links.without_relief(i, x, motions_[i]);
   if (springs.any() && !springs.settle(motions_, x.force))
     throw SolverError("the hinges of a structure have no equilibrium with its massless degrees of freedom");
   balance(motions_, x.by_ground, false, false, x.force, acceleration);
   solver.recover(acceleration);
+  tangents.recover(acceleration);
   x.motion.col(carried) = x.motion.col(a);
   multiply(x, a, width - a);
   gather(x);
@@ -202,11 +212,12 @@ bool Equations::balance_middle(const Instant& x, Trial& trial) {
   for (int i = 0; i < n; ++i)
     r[i] = -push[i] - 0.5 * (ku0[i] + ku1[i] + cv0[i] + cv1[i]) - eighth * (kv0[i] - kv1[i] + ca0[i] - ca1[i]);
   if (missed) trial.a_middle -= short_motions.forces(*missed);
-  if (pseudo_forces.any()) {
+  if (has_pseudo_forces()) {
     displacement_ = 0.5 * (x.motion.col(u) + y.motion.col(u)) + eighth * (x.motion.col(v) - y.motion.col(v));
     if (missed) displacement_ += short_motions.shift(missed->u);
-    pseudo_force(displacement_, force_);
-    trial.a_middle -= force_;
+    elastic_pseudo_force(displacement_, trial.pseudo_force_middle);
+    tangents.add_middle(displacement_, trial.pseudo_force_middle);
+    trial.a_middle -= trial.pseudo_force_middle;
   }
   if (trial.springs_stay) {
     trial.force_middle = x.force;

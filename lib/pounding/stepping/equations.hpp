@@ -15,6 +15,7 @@
 #include <pounding/stepping/springs/spring_forces.hpp>
 #include <pounding/stepping/step_state.hpp>
 #include <pounding/stepping/support_excitation.hpp>
+#include <pounding/stepping/tangent_parts.hpp>
 
 namespace pounding {
 
@@ -35,6 +36,7 @@ struct Equations {
   SupportExcitation supports;
   const ShortMotions short_motions;
   const PseudoForces pseudo_forces;
+  TangentParts tangents;
   const RigidContacts rigid;
   const int width;  ///< columns of Instant::motion with products: u v a, and carried if the scheme has it
 
@@ -49,8 +51,12 @@ struct Equations {
     solver.gather(x.motion.leftCols(width), x.relative);
     if (springs.any()) springs.relieve(x);
   }
-  /// e at a displacement.
+  /// True if there are any pseudo-forces e.
+  bool has_pseudo_forces() const { return pseudo_forces.any() || tangents.any(); }
+  /// e at a displacement; that of structures with a memory by their last linearization.
   void pseudo_force(Eigen::Ref<const Eigen::VectorXd> displacement, Eigen::VectorXd& force);
+  /// e without structures with a memory.
+  void elastic_pseudo_force(Eigen::Ref<const Eigen::VectorXd> displacement, Eigen::VectorXd& force);
 
   /// Solves dynamic equilibrium: computes the link forces from the link motions and replaces `r`, the sum of all other
   /// forces, by the acceleration. Held contacts take the forces that make their closing acceleration zero; contacts
@@ -80,7 +86,7 @@ struct Equations {
   std::vector<int> own_groups_;  // groups with coordinates on this process
   // Workspace.
   Eigen::VectorXd whole_, whole_force_;  // of all degrees of freedom
-  Eigen::VectorXd displacement_, force_;
+  Eigen::VectorXd displacement_;
   Eigen::MatrixXd relative_;
   std::vector<LinkMotion> motions_;
 };

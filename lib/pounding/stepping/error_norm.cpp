@@ -30,6 +30,7 @@ double allowed_error(const Scheme& scheme, double tolerance) {
 
 ErrorNorm::ErrorNorm(const Equations& equations, const Scheme& scheme, double tolerance)
     : equations_(equations),
+      tolerance_(tolerance),
       allowed_by_tolerance_(allowed_error(scheme, tolerance)),
       allowed_(std::max(allowed_by_tolerance_, rounding)) {
   const System& system = equations.system;
@@ -232,6 +233,7 @@ double ErrorNorm::relative_size(const Eigen::VectorXd& change, const Eigen::Vect
   solver.combine(sums);
   double worst = 0;
   for (std::size_t k = 0; k < groups; ++k) {
+    if (const Group& group = equations_.system.groups[k]; !group.elastic && !group.tangent) continue;
     const double mass = solver.layout().group_masses[k];
     const double size = std::max({scales_.displacement[k], rest_size_[k], std::sqrt(sums[2 * k + 1] / mass)});
     const double ratio = std::sqrt(sums[2 * k] / mass) / size;

@@ -143,14 +143,19 @@ class Esdirk4Scheme final : public TimeScheme {
       }
       return g + eq_.links.ground_part(by_ground, link, a);
     };
-    if (eq_.pseudo_forces.any()) {
+    if (eq_.has_pseudo_forces()) {
       free_displacement_ = x.motion.col(u) + ci * h * x.motion.col(v);
       for (int j = 0; j < i; ++j) free_displacement_ += h * h * squared[i][j] * acceleration(j);
       if (t.short_motions) free_displacement_ += eq_.short_motions.shift(missed_.u);
       guess_ = acceleration(i - 1);
-      if (!solver_.solve_with_pseudo_forces(stage, free_displacement_, guess_, free_motion, acceleration(i),
-                                            t.end.force))
-        return false;
+      const bool solved =
+          eq_.tangents.any()
+              ? solver_.solve_with_tangents(stage, free_displacement_, free_motion, acceleration(i), t.end.force)
+              : solver_.solve_with_pseudo_forces(stage, free_displacement_, guess_, free_motion, acceleration(i),
+                                                 t.end.force);
+      if (!solved) return false;
+      if (eq_.tangents.any())
+        eq_.tangents.record_stage(free_displacement_ + stage.by_u * acceleration(i), ci * h, middle);
     } else if (!solver_.solve(stage, free_motion, acceleration(i), t.end.force)) {
       return false;
     }
@@ -214,8 +219,10 @@ class Esdirk4Scheme final : public TimeScheme {
     sum_stages(n, h, x, stages_.data(), t.end, error);
     if (t.short_motions) correct_end(t, error);
     eq_.hold_end(x, t);
-    if (eq_.pseudo_forces.any()) eq_.pseudo_force(t.end.motion.col(u), t.end.pseudo_force);
+    if (eq_.has_pseudo_forces()) eq_.pseudo_force(t.end.motion.col(u), t.end.pseudo_force);
     std::copy_n(acceleration(stage_count - 1).data(), n, t.end.at(a));
+    eq_.tangents.recover(t.end.motion.col(v));
+    eq_.tangents.recover(t.end.motion.col(a));
     eq_.multiply(t.end, u, 3);
     eq_.gather(t.end);
     if (eq_.slips.any()) finish_slips(x, t, error);

@@ -54,12 +54,10 @@ HeldForces::Sample HeldForces::at(double s, const Instant& x, const Trial& kept)
                   cubic.end * (y.motion.col(ku) + y.motion.col(cv)) -
                   cubic.slope_begin * (x.motion.col(kv) + x.motion.col(ca)) -
                   cubic.slope_end * (y.motion.col(kv) + y.motion.col(ca));
-  if (equations_.pseudo_forces.any()) {
-    const Eigen::VectorXd displacement = cubic.begin * x.motion.col(u) + cubic.end * y.motion.col(u) +
-                                         cubic.slope_begin * x.motion.col(v) + cubic.slope_end * y.motion.col(v);
-    Eigen::VectorXd pseudo;
-    equations_.pseudo_force(displacement, pseudo);
-    acceleration_ -= pseudo;
+  if (equations_.has_pseudo_forces()) {
+    const Parabola parabola(s);
+    acceleration_ -=
+        parabola.begin * x.pseudo_force + parabola.middle * kept.pseudo_force_middle + parabola.end * y.pseudo_force;
   }
   equations_.balance(motions_, by_ground_, true, true, sample.force, acceleration_);
   return sample;

@@ -32,6 +32,24 @@ bool StageSolver::begin(const EffectiveMatrix& matrix, const std::optional<int>&
   free_acceleration_.resize(static_cast<Eigen::Index>(active_.size()));
   active_force_.resize(free_acceleration_.size());
   equations_.solver.set_matrix(matrix, level);
+  equations_.tangents.begin_step();
+  linearized_.resize(0);
+  contraction_ = first_contraction;
+  return find_flexibility();
+}
+
+// True if the next changes are a small part of the allowed error. `change`: of the displacements in this iteration,
+// relative; `strain`: of the strains at its beginning.
+bool StageSolver::converges(double change, double strain) {
+  constexpr double part = 0.02;           // of the allowed error
+  constexpr double part_of_strain = 0.1;  // sections follow the displacements with smaller weights
+  const double ratio = last_change_ > 0 ? std::min(change / last_change_, 1.0) : 1;
+  const double remaining = std::max(change, part_of_strain * ratio * strain);
+  if (iteration_ > 1) contraction_ = std::clamp(ratio, 0.5 * contraction_, 0.9);
+  return contraction_ / (1 - contraction_) * remaining <= part * norm_.allowed();
+}
+
+bool StageSolver::find_flexibility() {
   if (active_.empty()) return true;
   if (!equations_.solver.flexibility(active_, flexibility_)) return false;
   blocks_.find(flexibility_);

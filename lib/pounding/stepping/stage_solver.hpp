@@ -2,6 +2,7 @@
 /// One stage of a step: one structural solve followed by the link forces, repeated if there are pseudo-forces.
 
 #include <Eigen/Core>
+#include <cmath>
 #include <optional>
 #include <vector>
 
@@ -102,6 +103,36 @@ class StageSolver {
     return true;
   }
 
+  /// Solves the stage with structures whose forces have a memory, by Newton's method for their displacements and the
+  /// unknowns of their members together. The first solution, by the last linearization, is the predictor. Pseudo-forces
+  /// of other structures follow by fixed-point iteration.
+  template <class FreeMotion>
+  bool solve_with_tangents(const Stage& stage, const Eigen::VectorXd& free_displacement, const FreeMotion& free_motion,
+                           Eigen::Ref<Eigen::VectorXd> r, Eigen::VectorXd& force) {
+    const Eigen::VectorXd others = r;
+    Eigen::VectorXd displacement = free_displacement;
+    double strain = 0;
+    last_change_ = 0;
+    for (iteration_ = 0; iteration_ < max_newton_iterations; ++iteration_) {
+      equations_.elastic_pseudo_force(displacement, pseudo_force_);
+      equations_.tangents.add_pseudo_force(free_displacement, pseudo_force_);
+      r = others - stage.weight * pseudo_force_;
+      if (!solve(stage, free_motion, r, force)) return false;
+      ++repetitions_;
+      displacement = free_displacement + stage.by_u * r;
+      const bool has_change = linearized_.size() > 0;
+      const double change = has_change ? norm_.relative_size(displacement - linearized_, displacement) : 0;
+      if (!std::isfinite(change)) return false;
+      if (iteration_ > 0 && converges(change, strain)) return true;
+      last_change_ = change;
+      strain = equations_.tangents.linearize(displacement);
+      equations_.tangents.factorize();
+      linearized_ = displacement;
+      if (!find_flexibility()) return false;
+    }
+    return false;
+  }
+
   /// Closing acceleration of active link number k in the last solved stage [m/s^2], without ground acceleration.
   double link_acceleration(std::size_t k) const {
     return gathered_(static_cast<Eigen::Index>(k), 0) - relief_by_forces(static_cast<Eigen::Index>(k));
@@ -124,6 +155,8 @@ class StageSolver {
   void archive(Archive& archive) { archive(link_solver_, repetitions_); }
 
  private:
+  bool find_flexibility();
+  bool converges(double change, double strain);
   bool condense(const Stage& stage, Eigen::VectorXd& force, Eigen::Ref<Eigen::VectorXd> x);
 
   // Reduction of the closing acceleration of active link number k by the active forces.
@@ -139,7 +172,14 @@ class StageSolver {
   const LinkSet& links_;
   ActiveSprings springs_;
   LinkSolver link_solver_{links_};
+  static constexpr int max_newton_iterations = 40;
   long repetitions_ = 0;
+  static constexpr double first_contraction = 0.3;
+  // Of Newton's method: ratio of successive changes, carried from stage to stage of a step; last relative change of the
+  // displacements; those of the last linearization, empty in a new step.
+  double contraction_ = first_contraction, last_change_ = 0;
+  Eigen::VectorXd linearized_;
+  int iteration_ = 0;
   int failed_link_ = -1;
   std::vector<int> active_;
   Eigen::VectorXd held_push_,

@@ -85,11 +85,12 @@ struct ShortMotionStep {
 struct Trial {
   double h = 0;  ///< length [s]
   Instant end;
-  Eigen::VectorXd force_middle;      ///< of every link at mid-step [N]
-  mutable Eigen::VectorXd a_middle;  ///< mid-step accelerations; massless coordinates are computed on demand
-  std::vector<LinkMotion> middle;    ///< of every link at mid-step
-  Eigen::VectorXd ground_middle;     ///< accelerations [m/s^2]
-  Eigen::MatrixXd by_ground_middle;  ///< as Instant::by_ground
+  Eigen::VectorXd force_middle;         ///< of every link at mid-step [N]
+  mutable Eigen::VectorXd a_middle;     ///< mid-step accelerations; massless coordinates are computed on demand
+  Eigen::VectorXd pseudo_force_middle;  ///< as Instant::pseudo_force
+  std::vector<LinkMotion> middle;       ///< of every link at mid-step
+  Eigen::VectorXd ground_middle;        ///< accelerations [m/s^2]
+  Eigen::MatrixXd by_ground_middle;     ///< as Instant::by_ground
   std::optional<ShortMotionStep> short_motions;  ///< nullopt if none acts
   // Empty unless springs have relief; computed with the mid-step slopes, as are those at the end:
   Eigen::MatrixXd spring_rates;  ///< rates of deformation: first and second derivative at the beginning, first at the
@@ -106,8 +107,8 @@ struct Trial {
 
   /// Writes or reads all members.
   void archive(Archive& archive) {
-    archive(h, end, a_middle, force_middle, middle, ground_middle, by_ground_middle, spring_rates, force_rates_begin,
-            error, squares_u, squares_v, squares_slow);
+    archive(h, end, a_middle, force_middle, pseudo_force_middle, middle, ground_middle, by_ground_middle, spring_rates,
+            force_rates_begin, error, squares_u, squares_v, squares_slow);
   }
 };
 

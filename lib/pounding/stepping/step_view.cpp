@@ -10,9 +10,13 @@
 namespace pounding {
 namespace {
 
-// The trapezoidal rule of generalized-alpha misses reversals of the slip within a step.
 const StepperOptions& checked(const System& system, const StepperOptions& options) {
-  if (options.scheme.kind != Scheme::Kind::esdirk4 &&
+  const bool is_esdirk4 = options.scheme.kind == Scheme::Kind::esdirk4;
+  if (!is_esdirk4 && std::ranges::any_of(system.groups, [](const Group& group) { return group.tangent; }))
+    throw std::invalid_argument(
+        "members with fibres were given with the integrator generalized_alpha; they need esdirk4");
+  // The trapezoidal rule of generalized-alpha misses reversals of the slip within a step.
+  if (!is_esdirk4 &&
       std::any_of(system.frictions.begin(), system.frictions.end(), [](const Friction& f) { return f.is_compliant(); }))
     throw std::invalid_argument(
         "friction with a tangential stiffness was given with the integrator generalized_alpha; it needs esdirk4");

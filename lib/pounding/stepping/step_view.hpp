@@ -137,7 +137,7 @@ class StepView {
   const StructureSolver& base() const { return equations_.solver; }
   /// True if all degrees of freedom follow from the coordinates of base() alone: no part of the structures yields or
   /// rotates.
-  bool is_linear() const { return !equations_.springs.any() && !equations_.pseudo_forces.any(); }
+  bool is_linear() const { return !equations_.springs.any() && !equations_.has_pseudo_forces(); }
   /// Number of iterations for link forces and pseudo-forces, and of contact events, since the start.
   long iterations() const { return stages_.iterations(); }
   long events() const { return contact_events_.count(); }

@@ -39,9 +39,10 @@ void Stepper::start(double time, const Eigen::VectorXd& u, const Eigen::VectorXd
   now.motion.col(Instant::v) = solver.coordinates(v);
   solver.recover(now.motion.col(Instant::u));
   solver.recover(now.motion.col(Instant::v));
+  equations_.tangents.settle(now.motion.col(Instant::u));
   solver.stiffness_times(now.motion.col(Instant::u), now.motion.col(Instant::ku));
   now.spring_slopes.setZero();
-  if (equations_.pseudo_forces.any()) equations_.pseudo_force(now.motion.col(Instant::u), now.pseudo_force);
+  if (equations_.has_pseudo_forces()) equations_.pseudo_force(now.motion.col(Instant::u), now.pseudo_force);
   balance_now();
   if (equations_.slips.any() && !started_) {
     equations_.slips.start(now);
@@ -56,7 +57,7 @@ void Stepper::start(double time, const Eigen::VectorXd& u, const Eigen::VectorXd
   const Energies after = energies();
   ledger_.give(after.kinetic + after.strain - before.kinetic - before.strain);
   if (!started_) ledger_.give(after.impact);      // energy of contacts that press at the start
-  if (is_loaded) ledger_.give(after.hysteretic);  // plastic work of the initial displacement
+  if (!started_) ledger_.give(after.hysteretic);  // plastic work of the initial displacement
   norm_.start(now);
   started_ = true;
 }
@@ -196,15 +197,17 @@ void Stepper::accept() {
   troublesome_link_ = norm_.worst_link();
   if (equations_.springs.any() && !kept.springs_stay) equations_.ranges.read();
   ledger_.add_step(equations_, x, kept, described_.steps);
+  const bool members_reversed = equations_.tangents.accept(y.motion.col(Instant::u), norm_.min_reversal());
   norm_.learn(kept);
   bool ground_jumps = false;
   if (y.time >= next_break()) {
     ground_jumps = equations_.supports.jump(y.time, y.ground);
     look_ahead();
   }
+  if (members_reversed) equations_.pseudo_force(y.motion.col(Instant::u), history_.change_now().pseudo_force);
   if (!located_.empty())
     apply_located(false);
-  else if (ground_jumps)
+  else if (ground_jumps || members_reversed)
     balance_now();
   if (!budget_.is_due()) return;
   budget_.audit(energies());
@@ -250,6 +253,7 @@ void Stepper::archive(Archive& archive) {
   equations_.supports.archive(archive);
   archive(longest_step_);
   archive(equations_.links.memory());
+  equations_.tangents.archive(archive);
   equations_.ranges.read();
   output_.forget();
 }

@@ -184,12 +184,10 @@ void Model::connect_within(const std::string& name, const StructureHandle& struc
   if (s.is_rigid() || s.is_free)
     refuse(ModelOption::device,
            fmt::format("{} has no two points for a device; connect it to another structure", s.name));
-  if (s.elastic)
-    refuse(
-        ModelOption::device,
-        fmt::format(
-            "{} has large rotations (geometry: corotational), which its devices do not support; type geometry: p_delta",
-            s.name));
+  if (const std::string why = s.why_stiffness_changes(); !why.empty())
+    refuse(ModelOption::device,
+           fmt::format("{}: {}, which its devices do not support; {}", s.name, why,
+                       s.elastic ? "type geometry: p_delta" : "leave its members elastic, or give them hinges"));
   const Place a = placed(from, s, ModelOption::left), b = placed(to, s, ModelOption::right);
   const Eigen::Vector3d direction = direction_of(a, b, axis, s);
   const std::optional<double> length =

@@ -28,9 +28,9 @@ using Factor = Eigen::SimplicialLDLT<SparseMatrix>;
 void require_linear_start(const Structure& s) {
   if (s.is_free || s.rigid_motions > 0)
     refuse_preload(fmt::format("{} has no stiffness against a preload; use a structure with a stiffness", s.name));
-  if (s.elastic)
-    refuse_preload(fmt::format(
-        "{} has large rotations, but a preload requires a constant stiffness; remove one of the two", s.name));
+  if (const std::string why = s.why_stiffness_changes(); !why.empty())
+    refuse_preload(
+        fmt::format("{}: {}, but a preload requires a constant stiffness; remove one of the two", s.name, why));
   if (s.initial_displacement.cwiseAbs().maxCoeff() > 0)
     refuse_preload(
         fmt::format("{} starts displaced, but with a preload it starts in equilibrium; remove one of the two", s.name));
