@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include <pounding/frames/corotational_forces.hpp>
+#include <pounding/frames/fibre_frame.hpp>
 #include <pounding/frames/frame_parts.hpp>
 #include <pounding/frames/frame_surface.hpp>
 
@@ -251,7 +252,11 @@ Structure make_structure(FrameModel given) {
   // Also reports the unsupported node if there is one.
   Eigen::VectorXd rest = model->is_free ? Eigen::VectorXd::Zero(frame->size()) : model->frame.rest(*frame);
   std::shared_ptr<const CorotationalFrame> turning;
-  if (turns(*model)) {
+  if (!model->fibres.empty()) {
+    const auto forces = std::make_shared<const FibreFrame>(*model, *frame);
+    rest = forces->at_rest();
+    s.tangent = forces;
+  } else if (turns(*model)) {
     turning = std::make_shared<const CorotationalFrame>(*frame, corotational_members(model->frame));
     const auto forces = std::make_shared<const CorotationalForces>(turning, frame->load_at_rest);
     rest = forces->at_rest();

@@ -1,0 +1,249 @@
+#include <pounding/frames/fibre_frame.hpp>
+
+#include <Eigen/SparseLU>
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+#include <pounding/core/archive_eigen.hpp>
+#include <pounding/core/refuse.hpp>
+#include <pounding/structures/massless.hpp>
+
+namespace pounding {
+namespace {
+
+using Eigen::VectorXd;
+
+// Loads at rest are applied in this many equal steps, which are halved if one fails.
+constexpr int steps_of_rest = 10;
+constexpr double shortest_step = 1e-3;  // of the load
+constexpr int newton_iterations = 50;
+// Equilibrium: relative change of strain, and residual relative to the load; the latter is weighted by the stiffness.
+constexpr double at_equilibrium = 1e-10;
+// Lower bound of the strain to which changes are relative, far below cracking.
+constexpr double smallest_strain = 1e-6;
+
+MemberGeometry geometry_of(FrameGeometry geometry) {
+  switch (geometry) {
+    case FrameGeometry::linear: return MemberGeometry::linear;
+    case FrameGeometry::p_delta: return MemberGeometry::p_delta;
+    case FrameGeometry::corotational: return MemberGeometry::corotational;
+  }
+  return MemberGeometry::linear;
+}
+
+}  // namespace
+
+/// Accepted states of all members, their iterates at these states and in the step.
+struct FibreFrame::States final : TangentForces::Motion {
+  std::vector<FibreMember::State> accepted;
+  std::vector<FibreMember::Iterate> begin, trial;
+
+  void archive(Archive& archive) override {
+    archive(accepted);
+    for (FibreMember::Iterate& iterate : begin) {
+      archive.raw(iterate.forces.data(), sizeof iterate.forces);
+      archive.raw(iterate.deformations.data(), sizeof iterate.deformations);
+      archive.raw(iterate.residual.data(), sizeof iterate.residual);
+      archive.raw(iterate.stiffness.data(), sizeof iterate.stiffness);
+      archive.raw(iterate.sections.data(), iterate.sections.size() * sizeof(FibreMember::Iterate::Section));
+    }
+  }
+
+  double largest_strain(const std::vector<Member>& members) const {
+    double largest = 0;
+    for (std::size_t i = 0; i < members.size(); ++i)
+      largest = std::max(largest, members[i].beam.largest_strain(accepted[i]));
+    return largest;
+  }
+};
+
+FibreFrame::FibreFrame(const FrameModel& model, const AssembledFrame& assembled)
+    : load_(assembled.load_at_rest), rest_(VectorXd::Zero(assembled.size())) {
+  take_members(model, assembled);
+  load_slowly(load_);
+}
+
+void FibreFrame::take_members(const FrameModel& model, const AssembledFrame& assembled) {
+  const Frame& frame = model.frame;
+  std::vector<Eigen::Triplet<double>> taken, pattern;
+  const auto take = [&](int number, const MemberUnknowns& unknowns) {
+    unknowns.add_entries(frame.beam(number).stiffness(), taken);
+    unknowns.add_entries(Matrix12::Ones(), pattern);
+  };
+  for (const FrameFibres& fibres : model.fibres) {
+    const int number = fibres.member;
+    const Beam& beam = frame.beam(number);
+    const auto [start, end] = frame.ends(number);
+    const std::string what = "member " + frame.member_name(number) + ": ";
+    const BeamOptions& options = beam.options();
+    if (beam.is_truss()) refuse(what + "a truss has no sections of fibres; remove it from fibres");
+    if (!options.start_releases.empty() || !options.end_releases.empty())
+      refuse(what + "a member of fibres has no releases; remove them, or leave the member elastic");
+    if (std::ranges::any_of(frame.hinges(), [&](const Hinge& hinge) { return hinge.member == number; }))
+      refuse(what + "a member of fibres yields along its length; remove its hinges");
+    if (frame.fixed_end_forces(number, model.has_gravity()).any())
+      refuse(what + "a member of fibres has no load between its ends; divide it into parts, or load its nodes");
+    FibreMemberOptions own = fibres.options;
+    own.geometry = geometry_of(model.geometry);
+    own.axial_force = beam.axial_force();
+    numbers_.push_back(number);
+    members_.push_back({FibreMember(assembled.positions[start], assembled.positions[end], options, fibres.section, own,
+                                    assembled.dimension),
+                        MemberUnknowns(assembled, start, end)});
+    take(number, members_.back().unknowns);
+  }
+  if (model.geometry == FrameGeometry::corotational) {
+    const std::vector<CorotationalMember> all = corotational_members(frame);
+    for (int number = 0; number < frame.members(); ++number) {
+      if (std::ranges::find(numbers_, number) != numbers_.end()) continue;
+      const CorotationalMember& m = all[static_cast<std::size_t>(number)];
+      turning_.push_back({CorotationalBeam::of(m, assembled), MemberUnknowns(assembled, m.start, m.end)});
+      take(number, turning_.back().unknowns);
+    }
+  }
+  const int size = assembled.size();
+  others_ = assembled.stiffness - sparse_matrix(size, size, taken) + 0 * sparse_matrix(size, size, pattern);
+  others_.makeCompressed();
+  for (Member& member : members_) member.unknowns.find_places(others_);
+  for (Turning& member : turning_) member.unknowns.find_places(others_);
+}
+
+std::unique_ptr<TangentForces::Motion> FibreFrame::start() const { return std::make_unique<States>(*at_rest_); }
+
+void FibreFrame::begin_step(Motion& motion) const {
+  States& states = static_cast<States&>(motion);
+  states.trial = states.begin;
+}
+
+// Forces and tangent at total displacements q.
+double FibreFrame::add(States& states, const VectorXd& q, VectorXd& force,
+                       Eigen::SparseMatrix<double>& tangent) const {
+  force.noalias() = others_ * q;
+  tangent = others_;
+  double strain = 0;
+  Vector12 on_nodes;
+  Matrix12 stiffness;
+  for (std::size_t i = 0; i < members_.size(); ++i) {
+    const Member& member = members_[i];
+    const double own = member.beam.linearize(states.accepted[i], states.trial[i], member.unknowns.displacements(q),
+                                             on_nodes, stiffness);
+    if (!(own <= strain)) strain = own;
+    member.unknowns.add_force(on_nodes, force);
+    member.unknowns.add_to(tangent.valuePtr(), stiffness);
+  }
+  for (const Turning& member : turning_) {
+    const CorotationalBeam::Response response = member.beam.evaluate(member.unknowns.displacements(q), stiffness);
+    member.unknowns.add_force(response.force, force);
+    member.unknowns.add_to(tangent.valuePtr(), stiffness);
+  }
+  return strain;
+}
+
+double FibreFrame::linearize(Motion& motion, const VectorXd& u, VectorXd& force,
+                             Eigen::SparseMatrix<double>& tangent) const {
+  States& states = static_cast<States&>(motion);
+  const double strain = add(states, rest_ + u, force, tangent);
+  force -= load_;
+  return strain / std::max(states.largest_strain(members_), smallest_strain);
+}
+
+void FibreFrame::record_stage(Motion& motion, const VectorXd& u, double time) const {
+  States& states = static_cast<States&>(motion);
+  const VectorXd q = rest_ + u;
+  for (std::size_t i = 0; i < members_.size(); ++i) {
+    members_[i].beam.update(states.trial[i], members_[i].unknowns.displacements(q));
+    members_[i].beam.record_stage(states.trial[i], time);
+  }
+}
+
+bool FibreFrame::accept(Motion& motion, double min_reversal) const {
+  States& states = static_cast<States&>(motion);
+  const double smallest = min_reversal * std::max(states.largest_strain(members_), smallest_strain);
+  bool reversed = false;
+  for (std::size_t i = 0; i < members_.size(); ++i)
+    reversed = members_[i].beam.accept(states.accepted[i], states.trial[i], smallest) || reversed;
+  if (reversed)
+    for (std::size_t i = 0; i < members_.size(); ++i) members_[i].beam.begin(states.accepted[i], states.begin[i]);
+  else
+    for (std::size_t i = 0; i < members_.size(); ++i) {
+      states.begin[i] = states.trial[i];
+      states.begin[i].times.clear();
+      states.begin[i].stages.clear();
+    }
+  return reversed;
+}
+
+double FibreFrame::elastic_energy(const VectorXd& q) const {
+  double sum = 0.5 * q.dot(others_ * q) - load_.dot(q);
+  for (const Turning& member : turning_) sum += member.beam.evaluate(member.unknowns.displacements(q)).energy;
+  for (const Member& member : members_) sum += member.beam.potential(member.unknowns.displacements(q));
+  return sum;
+}
+
+TangentForces::Energy FibreFrame::energy(const Motion& motion, const VectorXd& u) const {
+  const States& states = static_cast<const States&>(motion);
+  Energy sum{elastic_energy(rest_ + u) - energy_at_rest_.stored, -energy_at_rest_.dissipated};
+  for (std::size_t i = 0; i < members_.size(); ++i) {
+    sum.stored += members_[i].beam.stored(states.accepted[i]);
+    sum.dissipated += members_[i].beam.dissipated(states.accepted[i]);
+  }
+  return sum;
+}
+
+long FibreFrame::fibres() const {
+  long sum = 0;
+  for (const Member& member : members_) sum += static_cast<long>(member.beam.section().fibres().size() * member.beam.rule().points.size());
+  return sum;
+}
+
+// Newton's method at this load from the accepted state.
+bool FibreFrame::find_equilibrium(States& states, VectorXd& q, const VectorXd& load) const {
+  VectorXd force;
+  Eigen::SparseMatrix<double> tangent;
+  begin_step(states);
+  for (int iteration = 0; iteration < newton_iterations; ++iteration) {
+    const double strain = add(states, q, force, tangent);
+    const Eigen::SparseLU<Eigen::SparseMatrix<double>> factor(tangent);
+    if (factor.info() != Eigen::Success) return false;
+    const VectorXd step = factor.solve(load - force);
+    if (!step.allFinite()) return false;
+    q += step;
+    const double scale = std::max(q.cwiseAbs().maxCoeff(), 1e-12);
+    if (iteration > 0 && strain <= at_equilibrium * std::max(states.largest_strain(members_), smallest_strain) &&
+        step.cwiseAbs().maxCoeff() <= at_equilibrium * scale)
+      return true;
+  }
+  return false;
+}
+
+void FibreFrame::load_slowly(const VectorXd& load) {
+  States states;
+  for (const Member& member : members_) {
+    states.accepted.push_back(member.beam.undeformed());
+    member.beam.begin(states.accepted.back(), states.begin.emplace_back());
+  }
+  double done = 0;
+  for (double part = 1.0 / steps_of_rest; done < 1 && !load.isZero(0);) {
+    const double next = std::min(1.0, done + part);
+    VectorXd q = rest_;
+    if (find_equilibrium(states, q, next * load)) {
+      accept(states, 0);
+      rest_ = q;
+      done = next > 1 - 1e-12 ? 1 : next;
+    } else if ((part /= 2) < shortest_step) {
+      refuse(fmt::format("the frame has no equilibrium beyond {:.3f} times its loads at rest", done));
+    }
+  }
+  begin_step(states);
+  at_rest_ = std::make_shared<const States>(states);
+  energy_at_rest_.stored = elastic_energy(rest_);
+  for (std::size_t i = 0; i < members_.size(); ++i) {
+    energy_at_rest_.stored += members_[i].beam.stored(states.accepted[i]);
+    energy_at_rest_.dissipated += members_[i].beam.dissipated(states.accepted[i]);
+  }
+}
+
+}  // namespace pounding
