@@ -80,6 +80,7 @@ std::vector<Json> alternatives_of(const keys::Key& spec) {
     case Form::one_or_each:
     case Form::one_or_list: all.push_back(list_schema(spec)); return all;
     case Form::list: return {list_schema(spec)};
+    case Form::lists: return {Json{{"type", "array"}, {"items", list_schema(spec)}}};
     case Form::by_storey: {
       const Json of_line{{"type", "array"}, {"items", any_of(all)}, {"minItems", 1}};
       std::vector<Json> of_storey = all;
@@ -169,7 +170,8 @@ std::string name_of(keys::Takes takes) {
 }
 
 std::string name_of(keys::Form form) {
-  constexpr const char* names[] = {"one", "one or each", "one or list", "list", "named", "named lists", "by storey"};
+  constexpr const char* names[] = {"one",   "one or each", "one or list", "list",
+                                   "lists", "named",       "named lists", "by storey"};
   return names[static_cast<std::size_t>(form)];
 }
 

@@ -76,6 +76,7 @@ std::string taken_text(const keys::Key& spec) {
     }
     case Form::one_or_list: return instead + or_map(spec) + ", or " + list_of(spec);
     case Form::list: return instead + list_of(spec);
+    case Form::lists: return instead + "a list, each " + list_of(spec);
     case Form::by_storey:
       return or_map(spec) +
              "; or a list of them from the ground up, or a map from storeys such as 1-3; each may be a list by line";

@@ -44,6 +44,12 @@ inline const Keys bent = {{"material", "{E: 30 GPa, density: 2500}"},
                           {"masses", "{b: 10 t, c: 10 t}"},
                           {"damping", "5 %"}};
 
+// Laws of fibres that examples refer to.
+inline const std::string fibre_laws =
+    "core: {concrete02: {fpc: -36 MPa, epsc0: -0.004, fpcu: -36 MPa, epsU: -0.03, lambda: 0.1, ft: 0, Ets: 1 GPa}}, "
+    "cover: {concrete01: {fpc: -28 MPa, epsc0: -0.002, fpcu: -5.6 MPa, epsU: -0.006}}, "
+    "bars: {steel01: {Fy: 460 MPa, E0: 200 GPa, b: 0.01}}, steel: {steel01: {Fy: 355 MPa, E0: 200 GPa, b: 0.01}}";
+
 inline std::string in_frame(const Keys& changed) {
   Keys frame = bent;
   for (const auto& [key, value] : changed) frame[key] = value;
@@ -69,6 +75,14 @@ inline const std::string beside_wall =
     "analysis: {duration: 1}\nstructures:\n  right: {wall: {}}\n  left: {frame: {material: {E: 30 GPa, density: 2500}, "
     "mass: consistent, grid: {storeys: 4, bays: 1, storey_height: 3 m, bay_width: 6 m, columns: " +
     rectangle + ", beams: " + rectangle + "}}, damping: 5 %}\n";
+
+/// The bent with a section of fibres; the others are elastic.
+inline std::string with_fibres(const std::string& section) {
+  return in_frame({{"materials", "{" + fibre_laws + "}"}, {"sections", "{one: " + section + "}"}});
+}
+inline std::string with_patches(const std::string& patch) {
+  return with_fibres("{fibres: {patches: [" + patch + "]}}");
+}
 
 /// Two storeys that yield by this spring.
 inline std::string yielding(const std::string& spring) {
@@ -124,8 +138,20 @@ inline std::string around(const Section& s) {
       {&keys::force_pulse, shaken + pair + "  a: {body: {mass: 1 t}, forces: [{pulse: @}]}"},
       {&keys::step_force, shaken + pair + "  a: {body: {mass: 1 t}, forces: [{step_force: @}]}"},
       {&keys::frame, shaken + "structures: {tower: {frame: @}}"},
-      {&keys::material, in_frame({{"material", "@"}})},
-      {&keys::cross_section, in_frame({{"sections", "{one: @}"}})},
+      {&keys::material, in_frame({{"materials", "{one: @, " + fibre_laws + "}"}})},
+      {&keys::confined, in_frame({{"materials", "{one: {confined: @}, " + fibre_laws + "}"}})},
+      {&keys::cross_section, with_fibres("@")},
+      {&keys::rc_rectangle, with_fibres("{rc_rectangle: @}")},
+      {&keys::fibres_of_section, with_fibres("{fibres: @}")},
+      {&keys::patch, with_patches("@")},
+      {&keys::patch_rectangle, with_patches("{rectangle: @, cells: [1, 4], material: core}")},
+      {&keys::patch_ring, with_patches("{ring: @, cells: [1, 8], material: core}")},
+      {&keys::bar_layer, with_fibres("{fibres: {layers: [@]}}")},
+      {&keys::frame_fibres,
+       shaken + "structures: {tower: {frame: {materials: {" + fibre_laws +
+           "}, grid: {storeys: 1, bays: 1, storey_height: 3 m, bay_width: 6 m, columns: {rectangle: [0.4, 0.4], "
+           "material: steel}, beams: {rectangle: [0.3, 0.5], material: steel}, floor_mass: 20 t}, damping: 5 %, "
+           "fibres: @}}}"},
       {&keys::i_section, in_frame({{"sections", "{one: {i_section: @}}"}})},
       {&keys::tube, in_frame({{"sections", "{one: {tube: @}}"}})},
       {&keys::grid, shaken + "structures: {tower: {frame: {material: {E: 30 GPa}, grid: @, damping: 5 %}}}"},
@@ -168,6 +194,8 @@ inline std::string around(const Section& s) {
       {&keys::bar, two_in_space + "devices: {tie: {between: [left.1, right.1], bar: @}}"},
       {&keys::damper, shaken + pair + "devices: {tie: {between: [left, right], damper: @}}"},
       {&keys::link_end, beside_wall + "links: [{between: [@, right], gap: 20 mm, law: hertz, stiffness: 1e9}]"}};
+  for (const Section* law : keys::laws_of_materials())  // they are called material_LAW
+    if (law == &s) return in_frame({{"materials", fmt::format("{{one: {{{}: @}}}}", law->name.substr(9))}});
   for (const Section* law : keys::laws_of_springs())
     if (law == &s) return yielding(fmt::format("{{{}: @}}", law->name));
   for (const Section* law : keys::laws_of_devices())  // they are called device_LAW
@@ -204,6 +232,7 @@ inline const std::map<const Section*, Keys> beside = {
     {&keys::shear_building, {{"damping", "5 %"}}},
     {&keys::frame, bent},
     {&keys::cross_section, {{"rectangle", "[0.4 m, 0.6 m]"}}},
+    {&keys::bar_layer, {{"from", "[0, 0.1 m]"}, {"to", "[0, -0.1 m]"}}},
     {&keys::member, {{"between", "[a, b]"}, {"section", rectangle}}},
     {&keys::hinge, {{"yield_moment", "210 kN m"}}},
     {&keys::isolator, {{"coupled", "false"}}},
@@ -259,7 +288,19 @@ inline const std::map<std::string, Keys> beside_key = {
     {"modal.ratios", {{"ratio", ""}, {"others", "2 %"}}},
     {"modal.others", {{"ratio", ""}, {"ratios", "[5 %, 5 %]"}}},
     {"hinges.strength", {{"yield_moment", ""}}},
+    {"material_concrete04.ft", {{"et", "0.001"}}},
     {"sections.profile", {{"rectangle", ""}}},
+    {"sections.material", {{"rectangle", "[0.4 m, 0.6 m]"}}},
+    {"sections.layers", {{"material", "steel"}}},
+    {"sections.across", {{"material", "steel"}}},
+    {"sections.density", {{"material", "steel"}}},
+    {"sections.GJ", {{"material", "steel"}}},
+    {"layers.radius", {{"from", ""}, {"to", ""}}},
+    {"layers.centre", {{"radius", "0.2 m"}, {"from", ""}, {"to", ""}}},
+    {"fibres.hinge_length", {{"rule", "hinge_radau"}}},
+    {"frame.fibres",
+     {{"materials", "{" + fibre_laws + "}"},
+      {"members", "{c1: {between: [a, b], section: {rectangle: [0.4, 0.6], material: steel}}, " + others + "}"}}},
     {"sections.plastic_modulus_y", {{"rectangle", ""}, {"area", "0.16 m^2"}, {"inertia_y", "2.1e-3 m^4"}}},
     {"sections.plastic_modulus_z", {{"rectangle", ""}, {"area", "0.16 m^2"}, {"inertia_y", "2.1e-3 m^4"}}},
     {"grid.combination", {{"dead_load", "-20 kN/m"}, {"live_load", "-10 kN/m"}}},

@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include <pounding/frames/finite_rotation.hpp>
+#include <pounding/frames/section_fibres.hpp>
 
 namespace pounding {
 namespace {
@@ -208,8 +209,11 @@ Beam Beam::truss(const Vector3d& start_node, const Vector3d& end_node, double ar
 
 Beam::Beam(const Vector3d& start_node, const Vector3d& end_node, const Section& section, const Material& material,
            const BeamOptions& options, bool is_truss)
-    : section_(section), material_(material), options_(options), is_truss_(is_truss) {
-  is_truss ? check_truss(section.area, material) : check(section, material);
+    : section_(section),
+      material_(section.fibres ? section.fibres->material : material),
+      options_(options),
+      is_truss_(is_truss) {
+  is_truss ? check_truss(section.area, material_) : check(section, material_);
   const Vector3d along = end_node + options.end_offset - start_node - options.start_offset;
   length_ = along.norm();
   require(std::isfinite(length_), "the ends must have finite coordinates");

@@ -7,11 +7,14 @@
 
 #include <Eigen/Core>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <utility>
 #include <vector>
 
 namespace pounding {
+
+struct SectionFibres;
 
 /// Translations [m] and rotations [rad] of a node, rotations by the right-hand rule (a positive ry rotates z towards
 /// x).
@@ -35,6 +38,8 @@ struct Section {
          depth = 0;  ///< outer dimensions along local y and z [m]; 0 if the section is defined by its properties
   bool is_round = false;
   double plastic_y = 0, plastic_z = 0;  ///< plastic moduli for bending about local y and z [m^3]; 0 if unknown
+  /// Fibres whose initial stiffness the section has; null if it has none. Their material replaces that of the member.
+  std::shared_ptr<const SectionFibres> fibres{};
 
   bool has_size() const { return depth > 0; }  ///< true if its outer dimensions are known
 };

@@ -1,6 +1,7 @@
 #pragma once
 /// A frame with its floors, supports and reported quantities: the input of a structure. SI units.
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -10,6 +11,11 @@
 #include <pounding/structures/isolators.hpp>
 
 namespace pounding {
+
+namespace sections {
+class FibreSection;
+}
+struct FibreMemberOptions;
 
 /// A floor: the nodes that links and reports refer to by its number.
 struct FrameFloor {
@@ -41,6 +47,13 @@ struct FrameUplift {
   double stiffness = 0;  ///< > 0 [N/m]
 };
 
+/// A member whose section of fibres yields along its length.
+struct FrameFibres {
+  int member = 0;
+  std::shared_ptr<const sections::FibreSection> section{};
+  std::shared_ptr<const FibreMemberOptions> options{};
+};
+
 /// Effect of the displacements of a frame on its stiffness.
 enum class FrameGeometry {
   linear,       ///< none
@@ -57,6 +70,7 @@ struct FrameModel {
   std::vector<FrameSupport> supports{};
   std::vector<FrameIsolator> isolators{};
   std::vector<FrameUplift> uplifts{};
+  std::vector<FrameFibres> fibres{};
   std::optional<std::vector<int>> reported_nodes{};  ///< default: all nodes of a frame with at most 100 nodes
   std::vector<int> reported_members{};
   FrameGeometry geometry = FrameGeometry::linear;

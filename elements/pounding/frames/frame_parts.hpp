@@ -18,6 +18,9 @@ void complete(FrameModel& model);
 /// For each floor and node, true if the node is above the mid-height of the storey below the floor.
 std::vector<std::vector<bool>> storey_cuts(const FrameModel& model);
 
+/// Sections of fibres of the members, in the order of the members.
+std::vector<FibreSectionReport> report_fibre_sections(const FrameModel& model);
+
 /// Floors as reported by a structure, see make_structure.
 std::vector<Floor> make_floors(const FrameModel& model, const AssembledFrame& frame);
 

@@ -292,6 +292,7 @@ Structure make_structure(FrameModel given) {
       return make_supports(*model, *frame, apart, forces, reactions);
     };
   s.geometry = make_geometry(*model);
+  s.fibre_sections = report_fibre_sections(*model);
   s.node_translations = [model, frame](const Eigen::VectorXd& q) {
     Eigen::MatrixX3d moved = Eigen::MatrixX3d::Zero(model->given_nodes(), 3);
     const Eigen::VectorXd all = frame->transform * q;

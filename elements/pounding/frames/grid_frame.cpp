@@ -53,6 +53,8 @@ double add_grid_member(Frame& frame, const std::string& name, int start, int end
                        const GridFrame& grid) {
   const auto found = grid.members.find(name);
   const GridMember own = found == grid.members.end() ? GridMember{} : found->second;
+  if (own.material && !own.section && usual.fibres)
+    refuse(name + ": the fibres of its section have materials; leave out its material");
   double length = 0;
   for (const int part : add_member_in_parts(frame, name, start, end,
                                             {.section = own.section.value_or(usual),

@@ -98,4 +98,12 @@ inline Confinement confine(const ConfinedCore& core, std::span<const double> cle
   return result;
 }
 
+/// Stress of confined concrete at its ultimate strain, > 0 [Pa]: fcc x r/(r - 1 + x^r), x = ecu/ecc, r = Ec/(Ec -
+/// fcc/ecc), Ec = 5000 MPa sqrt(fco/MPa), for an unconfined strength fco [Pa]. Mander, Priestley & Park 1988.
+inline double strength_at_ultimate(const Confinement& confined, double unconfined_strength) {
+  const double modulus = 5e9 * std::sqrt(unconfined_strength / 1e6), secant = confined.strength / confined.strain;
+  const double r = modulus / (modulus - secant), x = confined.ultimate_strain / confined.strain;
+  return confined.strength * x * r / (r - 1 + std::pow(x, r));
+}
+
 }  // namespace pounding::materials

@@ -14,6 +14,9 @@ namespace pounding {
 /// - mass: a floor of a structure on the ground, or a floor_mass, below 1 t
 /// - section: a member deeper than the highest storey of its frame, or thinner than 2 mm
 /// - E: Young's modulus below 100 MPa
+/// - E0: a concrete of fibres whose initial modulus differs from that of EN 1992-1-1 by more than 25 %
+/// - steel02: fibres with this law, to which no tolerance applies
+/// - diaphragm: a rigid floor that restrains beams of fibres axially
 /// - yield: a storey that yields at less than 0.01 mm of drift, or a hinge at less than 0.02 mrad
 /// - rotation: an ultimate rotation of a hinge above 0.5 rad
 /// - Lambda: an energy capacity Lambda of a deteriorating spring above 20, which may be lambda
@@ -38,9 +41,9 @@ namespace pounding {
 /// - duration: analysis.duration omits more than 5 % of the Arias intensity of a record
 /// - hardening: the hardening of a hinge with a law, which version 0.2.0 interpreted as the ratio of the bare spring
 inline constexpr auto warning_names = std::to_array<std::string_view>(
-    {"period",   "gap",       "face",      "joint",   "mass",      "section",     "E",
-     "yield",    "rotation",  "pga",       "record",  "motion",    "penetration", "tolerance",
-     "duration", "hardening", "scale",     "density", "stiffness", "damping",     "isolator",
-     "height",   "friction",  "amplitude", "initial", "drift",     "seat",        "Lambda"});
+    {"period",   "gap",     "face",      "joint",   "mass",        "section",   "E",        "yield",
+     "rotation", "pga",     "record",    "motion",  "penetration", "tolerance", "duration", "hardening",
+     "scale",    "density", "stiffness", "damping", "isolator",    "height",    "friction", "amplitude",
+     "initial",  "drift",   "seat",      "Lambda",  "E0",          "steel02",   "diaphragm"});
 
 }  // namespace pounding

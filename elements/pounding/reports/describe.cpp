@@ -8,6 +8,7 @@
 
 #include <pounding/core/units.hpp>
 #include <pounding/model/drawing.hpp>
+#include <pounding/reports/fibre_report.hpp>
 #include <pounding/structures/isolators.hpp>
 
 namespace pounding {
@@ -134,6 +135,7 @@ std::string describe(const Model& model) {
     text += describe(s) + '\n';
     if (s.dimension > 1) text += describe_hinges(s);
     if (is_isolated(s)) text += describe_isolators(s);
+    text += describe_fibres(s);
     for (const YieldingPart& part : s.yielding)
       if (part.is_device()) text += fmt::format("     device {}: {}\n", part.name, part.device);
     for (const AppliedForce& force : s.applied_forces)

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <set>
 
@@ -11,6 +12,7 @@
 #include <pounding/ground/record.hpp>
 #include <pounding/model/drawing.hpp>
 #include <pounding/model/ground_plan.hpp>
+#include <pounding/reports/fibre_report.hpp>
 #include <pounding/structures/isolators.hpp>
 #include <pounding/structures/storey_heights.hpp>
 
@@ -331,6 +333,7 @@ std::vector<std::string> implausible(const Model& model, double tolerance) {
     warn_about_yielding(s, warnings);
     warn_about_isolators(s, warnings);
     warn_about_start(s, warnings);
+    std::ranges::copy(warnings_about_fibres(s), std::back_inserter(warnings));
   }
   warn_about_ground(model, warnings);
   warn_about_gaps(model, warnings);

@@ -202,6 +202,29 @@ struct InternalForces {
   std::function<Eigen::VectorXd(const Eigen::VectorXd& displacement)> turned;
 };
 
+/// A section of fibres, for reports and plausibility warnings.
+struct FibreSectionReport {
+  /// One of its materials.
+  struct Law {
+    std::string name, law;                               ///< of the input
+    double modulus = 0;                                  ///< initial [Pa]
+    double code_modulus = 0;                             ///< of concrete of this strength [Pa]; 0 for other materials
+    bool forgets_small_reversals = true;                 ///< false if no error tolerance applies
+    std::vector<YieldingPart::Parameter> confinement{};  ///< computed values of confined concrete
+  };
+  /// Beams whose ends rigid floors keep at a distance: moments at a curvature with and without this restraint.
+  struct Restraint {
+    int beams = 0;
+    double curvature = 0, moment = 0, free_moment = 0, axial_force = 0;  ///< [1/m], [N m], [N]
+  };
+
+  std::string name;
+  std::vector<Law> laws;
+  double area = 0, bending_stiffness = 0;  ///< gross [m^2]; uncracked EI about y [N m^2]
+  int members = 0, yielding = 0;           ///< number of members with it, and of those that yield along their length
+  std::optional<Restraint> restraint{};
+};
+
 /// For pictures and plausibility warnings.
 struct Geometry {
   std::vector<std::string> node_names, member_names;
@@ -262,6 +285,7 @@ struct Structure {
   /// at_rest. Empty if there are none.
   std::function<Eigen::VectorXd(const Eigen::VectorXd& displacement)> storey_shears;
   Geometry geometry;
+  std::vector<FibreSectionReport> fibre_sections;  ///< of a frame, in the order of its members
   /// Translations of all nodes of the geometry, nodes x 3; empty without geometry.
   std::function<Eigen::MatrixX3d(const Eigen::VectorXd& q)> node_translations;
 

@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 
 #include <pounding/frames/sections.hpp>
+#include <pounding/sections/builders.hpp>
 
 namespace pounding {
 namespace {
@@ -138,6 +139,52 @@ Corner corner_of(double r) {
           (1.0 / 3 - M_PI / 16 - 1 / (3 * (12 - 3 * M_PI))) * std::pow(r, 4)};
 }
 
+// Adds an area in equal fibres at +-y and +-z; for members in the plane (across = 0) at y = 0.
+void add_symmetric(sections::Fibres& fibres, double area, double y, double z, int across) {
+  if (!(area > 0)) return;
+  for (const double at : {-z, z}) {
+    if (across == 0) fibres.push_back({0, at, area / 2, 0});
+    if (across > 0) sections::add_straight_layer(fibres, 0, 2, area / 4, {-y, at}, {y, at});
+  }
+}
+
+// An I whose root radii are the area beyond the three rectangles.
+sections::Fibres fibres_of_i(const Section& s, double flange, double web, int layers, int across) {
+  sections::Fibres fibres = sections::i_section(s.depth, s.width, flange, web, 0, layers, across);
+  const double rest = s.area - sections::area(fibres), corner = corner_of(1).area;
+  const double inwards = corner_of(std::sqrt(std::max(rest, 0.0) / (4 * corner))).distance;
+  add_symmetric(fibres, rest, web / 2 + inwards, s.depth / 2 - flange - inwards, across);
+  return fibres;
+}
+
+// Four plates, and corners with the outer radius 1.5 t whose area is the rest.
+sections::Fibres fibres_of_box(const Section& s, double wall, int layers, int across) {
+  const double y = s.width / 2 - 1.5 * wall, z = s.depth / 2 - 1.5 * wall, inwards = 0.863 * wall;
+  sections::Fibres fibres;
+  const int cells = std::max(across, 1);
+  for (const double side : {-1.0, 1.0}) {
+    const double outer = side * s.depth / 2, inner = outer - side * wall;
+    sections::add_rectangle(fibres, 0, {-y, std::min(outer, inner)}, {y, std::max(outer, inner)}, {cells, 2});
+    const double left = across == 0 ? -wall / 2 : side * (s.width - wall) / 2 - wall / 2;
+    sections::add_rectangle(fibres, 0, {left, -z}, {left + wall, z}, {1, layers});
+  }
+  add_symmetric(fibres, s.area - sections::area(fibres), s.width / 2 - inwards, s.depth / 2 - inwards, across);
+  return fibres;
+}
+
+sections::Fibres fibres_of(const European& row, int layers, int across) {
+  return fibres_of_i(section_of(row), row.flange * mm, row.web * mm, layers, across);
+}
+sections::Fibres fibres_of(const AmericanI& row, int layers, int across) {
+  return fibres_of_i(section_of(row), row.flange * inch, row.web * inch, layers, across);
+}
+sections::Fibres fibres_of(const AmericanHollow& row, int layers, int across) {
+  return fibres_of_box(section_of(row), row.wall * inch, layers, across);
+}
+sections::Fibres fibres_of(const AmericanRound& row, int layers, int) {
+  return sections::pipe(row.diameter * inch, row.wall * inch, 0, 2, 2 * layers);
+}
+
 // SHS, RHS and CHS by their dimensions.
 std::optional<Section> hollow_by_dimensions(std::string_view key) {
   const std::string family = family_of(key);
@@ -147,6 +194,14 @@ std::optional<Section> hollow_by_dimensions(std::string_view key) {
   if (sizes.size() == 3 && (family == "RHS" || (family == "SHS" && sizes[0] == sizes[1])))
     return hollow_section(sizes[0] * mm, sizes[1] * mm, sizes[2] * mm);
   return std::nullopt;
+}
+
+std::optional<sections::Fibres> hollow_fibres(std::string_view key, int layers, int across) {
+  const std::optional<Section> section = hollow_by_dimensions(key);
+  const std::vector<double> sizes = numbers_of(key);
+  if (!section) return std::nullopt;
+  return section->is_round ? sections::pipe(sizes[0] * mm, sizes[1] * mm, 0, 2, 2 * layers)
+                           : fibres_of_box(*section, sizes.back() * mm, layers, across);
 }
 
 }  // namespace
@@ -216,6 +271,17 @@ std::optional<Section> find_profile(std::string_view name) {
     return true;
   });
   return found ? found : hollow_by_dimensions(key);
+}
+
+std::optional<sections::Fibres> profile_fibres(std::string_view name, int layers, int across) {
+  const std::string key = profile_key(name);
+  std::optional<sections::Fibres> found;
+  visit_profiles([&](const auto& row) {
+    if (profile_key(row.name) != key) return false;
+    found = fibres_of(row, layers, across);
+    return true;
+  });
+  return found ? found : hollow_fibres(key, layers, across);
 }
 
 std::string nearest_profiles(std::string_view name) {

@@ -12,12 +12,18 @@
 #include <string_view>
 
 #include <pounding/frames/beam.hpp>
+#include <pounding/sections/fibre.hpp>
 
 namespace pounding {
 
 /// Section with this name, regardless of case, blanks and separators; `nullopt` if there is none. Throws
 /// std::invalid_argument for dimensions of a hollow section that are not possible.
 std::optional<Section> find_profile(std::string_view name);
+
+/// Fibres of a standard section: `layers` along the depth, and `across` as in sections/builders.hpp. Root radii and
+/// round corners of boxes are fibres at their centroids, with the rest of the area of the section. `nullopt` and
+/// exceptions as of find_profile().
+std::optional<sections::Fibres> profile_fibres(std::string_view name, int layers, int across);
 
 /// Suggestion for a name that does not exist: the nearest sizes of its family, or the families.
 std::string nearest_profiles(std::string_view name);

@@ -11,6 +11,7 @@
 
 #include <pounding/core/names.hpp>
 #include <pounding/frames/frame_structure.hpp>
+#include <pounding/input/frames/fibre_member_input.hpp>
 #include <pounding/input/frames/frame_parts_input.hpp>
 #include <pounding/input/frames/hinge_input.hpp>
 #include <pounding/input/keys/sections.hpp>
@@ -41,6 +42,7 @@ class FrameReader {
     make_floors_rigid();
     if (const auto hinges = body_.find("hinges")) read_hinges(*hinges, parts_.frame);
     read_gravity();
+    if (const auto fibres = body_.find("fibres")) read_fibre_members(*fibres, model_);
     read_report();
     model_.move_by(parts_.origin());
     return std::move(parts_.frame);

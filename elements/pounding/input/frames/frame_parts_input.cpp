@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include <pounding/core/names.hpp>
+#include <pounding/frames/section_fibres.hpp>
 #include <pounding/input/frames/frame_bays.hpp>
 #include <pounding/input/frames/grid_loads.hpp>
 
@@ -34,6 +35,10 @@ std::vector<std::string> lines_of_columns(const std::vector<std::string>& known)
     if (const std::string line = line_of(each); !line.empty() && std::ranges::find(lines, line) == lines.end())
       lines.push_back(line);
   return lines;
+}
+
+[[noreturn]] void refuse_material(const Input& material) {
+  material.fail_at_key("is that of an elastic member, and the fibres of the section have materials; leave it out");
 }
 
 }  // namespace
@@ -114,7 +119,12 @@ void FramePartsInput::read_grid(const Input& node) {
   grid.column = library_.sections_of_grid(node.at("columns"), grid.storeys, lines_of_columns);
   grid.beam =
       library_.sections_of_grid(node.at("beams"), grid.storeys, dimension_ == 2 ? grid.bays_x : lines_of_columns);
-  grid.material = library_.default_material(node);
+  const auto is_elastic = [](const GridSections& sections) {
+    return std::ranges::any_of(sections.values(), [](const auto& of_storey) {
+      return std::ranges::any_of(of_storey, [](const Section& section) { return !section.fibres; });
+    });
+  };
+  if (is_elastic(grid.column) || is_elastic(grid.beam)) grid.material = library_.default_material(node);
   grid.mass = mass_kind_;
   if (const auto mass = node.find("floor_mass")) grid.floor_mass = mass->as_quantities(grid.storeys);
   read_loads(node, grid);
@@ -152,7 +162,10 @@ GridMember FramePartsInput::read_member_of_grid(const Input& node) const {
       found->fail_at_key("is not allowed for a member of the grid, which keeps its nodes and remains a beam");
   GridMember own;
   if (const auto section = node.find("section")) own.section = library_.section(*section);
-  if (const auto material = node.find("material")) own.material = library_.material(*material);
+  const auto material = node.find("material");
+  if (material) own.material = library_.material(*material);
+  if (own.section && own.section->fibres && material) refuse_material(*material);
+  if (own.section && !own.section->fibres && !material) own.material = library_.default_material(node);
   own.options = read_beam_options(node);
   if (const auto load = node.find("load")) own.load = read_load(*load);
   if (const auto parts = node.find("parts")) own.parts = static_cast<int>(parts->as_integer());
@@ -217,16 +230,19 @@ void FramePartsInput::read_member(const std::string& name, const Input& node) {
   const Input between = node.at("between");
   if (!between.is_list() || between.items().size() != 2) between.fail("takes two nodes; type between: [a, b]");
   const int start = node_of(between.items()[0]), end = node_of(between.items()[1]);
-  const auto own_material = node.find("material");
-  const Material material = own_material ? library_.material(*own_material) : library_.default_material(node);
-  if (const auto truss = node.find("truss")) return add_truss(name, node, *truss, start, end, material);
-  const auto section = node.find("section");
-  if (!section) node.fail("the section is missing; type section: {rectangle: [0.4 m, 0.6 m]}, or truss: 20 cm^2");
+  const auto own_material = node.find("material"), truss = node.find("truss"), section_node = node.find("section");
+  const auto material = [&] {
+    return own_material ? library_.material(*own_material) : library_.default_material(node);
+  };
+  if (truss) return add_truss(name, node, *truss, start, end, material());
+  if (!section_node) node.fail("the section is missing; type section: {rectangle: [0.4 m, 0.6 m]}, or truss: 20 cm^2");
+  const Section section = library_.section(*section_node);
+  if (section.fibres && own_material) refuse_material(*own_material);
   Frame& made = frame.model.frame;
   const int nodes = made.nodes();
   const auto parts = node.find("parts");
-  const CutMember beam{.section = library_.section(*section),
-                       .material = material,
+  const CutMember beam{.section = section,
+                       .material = section.fibres ? section.fibres->material : material(),
                        .options = read_beam_options(node),
                        .parts = parts ? static_cast<int>(parts->as_integer()) : 1};
   const std::vector<int> members = placed(node, [&] { return add_member_in_parts(made, name, start, end, beam); });

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <map>
 #include <optional>
 #include <string>
@@ -15,29 +14,12 @@
 #include <pounding/frames/sections.hpp>
 #include <pounding/hysteresis/all.hpp>
 #include <pounding/input/frames/frame_parts_input.hpp>
+#include <pounding/input/frames/whole_members.hpp>
 #include <pounding/input/keys/yielding_keys.hpp>
 #include <pounding/input/spring_input.hpp>
 
 namespace pounding {
 namespace {
-
-// A member of the input: one element of the frame, or all elements of a subdivided member.
-struct Whole {
-  std::string name;
-  int first, last;    // members of the frame
-  double length = 0;  // of all elements
-};
-
-std::vector<Whole> wholes(const Frame& frame) {
-  std::vector<Whole> all;
-  for (int member = 0; member < frame.members(); ++member) {
-    const std::string name = frame.member_name(member), whole = name.substr(0, name.find('/'));
-    if (all.empty() || all.back().name != whole) all.push_back({whole, member, member});
-    all.back().last = member;
-    all.back().length += frame.beam(member).length();
-  }
-  return all;
-}
 
 // Yield moments: sagging, and hogging if given.
 std::pair<double, std::optional<double>> read_moments(const Input& node) {
@@ -76,7 +58,7 @@ hysteresis::HingeLaw read_hinge_law(const Input& node, std::string_view name) {
 class HingeReader {
  public:
   HingeReader(const Input& hinges, FrameInput& frame)
-      : hinges_(hinges), frame_(frame), wholes_(wholes(frame.model.frame)) {
+      : hinges_(hinges), frame_(frame), wholes_(whole_members(frame.model.frame)) {
     grounded_ = frame.model.frame.grounded_nodes();
   }
 
@@ -95,22 +77,17 @@ class HingeReader {
   const Frame& frame() const { return frame_.model.frame; }
 
   // All horizontal or all vertical members.
-  std::vector<Whole> chosen(const std::string& group, const Input& node) const {
-    std::vector<Whole> all;
-    for (const Whole& whole : wholes_) {
-      const Beam& beam = frame().beam(whole.first);
-      const double rise = std::abs(beam.axes()(0, 2));
-      if (!beam.is_truss() && (group == "beams" ? rise < 1e-6 : rise > 1 - 1e-12)) all.push_back(whole);
-    }
+  std::vector<WholeMember> chosen(const std::string& group, const Input& node) const {
+    std::vector<WholeMember> all = members_of_group(frame(), group);
     if (all.empty())
       node.fail_at_key(fmt::format("the frame has no {}: no member is {}; give hinges by member", group,
                                    group == "beams" ? "horizontal" : "vertical"));
     return all;
   }
 
-  Whole named(const std::string& name, const Input& node) const {
+  WholeMember named(const std::string& name, const Input& node) const {
     std::vector<std::string> known{"beams", "columns"};
-    for (const Whole& whole : wholes_) {
+    for (const WholeMember& whole : wholes_) {
       known.push_back(whole.name);
       if (whole.name == name) return whole;
     }
@@ -129,12 +106,12 @@ class HingeReader {
     return {spec == "y" ? BendingAxis::y : BendingAxis::z};
   }
 
-  bool is_foot(const Whole& whole, MemberEnd end) const {
+  bool is_foot(const WholeMember& whole, MemberEnd end) const {
     const int node = end == MemberEnd::start ? frame().ends(whole.first)[0] : frame().ends(whole.last)[1];
     return std::find(grounded_.begin(), grounded_.end(), node) != grounded_.end();
   }
 
-  void read_entry(const std::vector<Whole>& members, const Input& node) {
+  void read_entry(const std::vector<WholeMember>& members, const Input& node) {
     if (!node.is_map()) node.fail("takes a map; type {at: both, yield_moment: 210 kN m, hardening: 3 %}");
     node.only_keys();
     const std::string at = node.at("at").as_choice();
@@ -142,7 +119,7 @@ class HingeReader {
     hinge.ultimate_rotation = node.find_quantity("ultimate_rotation");
     const std::vector<BendingAxis> about = read_axes(node);
     bool is_any = false;
-    for (const Whole& whole : members)
+    for (const WholeMember& whole : members)
       for (const MemberEnd end : {MemberEnd::start, MemberEnd::end}) {
         const bool is_requested =
             at == "both" || (at == "feet" ? is_foot(whole, end) : (at == "start") == (end == MemberEnd::start));
@@ -217,7 +194,7 @@ class HingeReader {
 
   const Input& hinges_;
   FrameInput& frame_;
-  std::vector<Whole> wholes_;
+  std::vector<WholeMember> wholes_;
   std::vector<int> grounded_;
   std::map<std::tuple<int, MemberEnd, BendingAxis>, std::pair<Hinge, Input>> found_;  // ordered by member
 };

@@ -15,6 +15,7 @@
 #include <pounding/frames/sections.hpp>
 #include <pounding/input/fail_at.hpp>
 #include <pounding/input/frames/by_storey.hpp>
+#include <pounding/input/frames/fibre_section_input.hpp>
 
 namespace pounding {
 namespace {
@@ -25,18 +26,6 @@ constexpr std::array<std::string_view, 7> numbers{
 Section read_profile(const Input& node, const std::string& name) {
   if (const auto found = placed(node, [&] { return find_profile(name); })) return *found;
   node.fail(fmt::format("unknown section \"{}\"; {}", excerpt(name), nearest_profiles(name)));
-}
-
-Section read_shape(const Input& node, std::string_view shape) {
-  if (shape == "profile") return read_profile(node, node.as_text());
-  if (shape == "circle") return circle_section(node.as_quantity());
-  if (shape == "rectangle") {
-    if (!node.is_list() || node.items().size() != 2) node.fail("takes [width, depth]; type rectangle: [0.4 m, 0.6 m]");
-    return rectangle_section(node.items()[0].as_quantity(), node.items()[1].as_quantity());
-  }
-  node.only_keys();
-  if (shape == "tube") return tube_section(node.quantity("diameter"), node.quantity("thickness"));
-  return i_section(node.quantity("depth"), node.quantity("width"), node.quantity("flange"), node.quantity("web"));
 }
 
 Section read_numbers(const Input& node, int dimension) {
@@ -65,18 +54,11 @@ std::vector<std::string> names(const std::map<std::string, Value>& values) {
   return all;
 }
 
-template <class Value>
-Value named(const Input& node, std::string_view what, const std::map<std::string, Value>& values) {
-  const std::string name = node.as_text();
-  const auto found = values.find(name);
-  if (found == values.end()) node.fail(unknown_name(what, name, names(values)));
-  return found->second;
-}
-
-}  // namespace
-
+// Reads {E, G or poisson (default 0.2), density (default 0), strength}.
 Material read_material(const Input& node) {
   node.only_keys();
+  if (const std::string law = node.chosen("E: 30 GPa"); law != "E")
+    node.at(law).fail_at_key("is a law of fibres, for materials by name; type E: 30 GPa for an elastic material");
   const double young = node.quantity("E");
   const auto shear = node.find("G"), poisson = node.find("poisson");
   if (shear && poisson) poisson->fail_at_key("G and poisson both define the shear modulus; keep one of them");
@@ -87,23 +69,42 @@ Material read_material(const Input& node) {
   return material;
 }
 
-Section read_section(const Input& node, int dimension) {
-  node.only_keys();
+}  // namespace
 
+Section read_shape(const Input& node, std::string_view shape) {
+  if (shape == "profile") return read_profile(node, node.as_text());
+  if (shape == "circle") return circle_section(node.as_quantity());
+  if (shape == "rectangle") {
+    if (!node.is_list() || node.items().size() != 2) node.fail("takes [width, depth]; type rectangle: [0.4 m, 0.6 m]");
+    return rectangle_section(node.items()[0].as_quantity(), node.items()[1].as_quantity());
+  }
+  node.only_keys();
+  if (shape == "tube") return tube_section(node.quantity("diameter"), node.quantity("thickness"));
+  return i_section(node.quantity("depth"), node.quantity("width"), node.quantity("flange"), node.quantity("web"));
+}
+
+Section SectionLibrary::read(const Input& node, const std::string& name) const {
+  node.only_keys();
   const std::string shape = node.chosen("rectangle: [0.4 m, 0.6 m], or area: 0.16 m^2 with inertia_y: 2.1e-3 m^4");
   const bool has_shape = shape != "area";
   for (const std::string_view key : numbers)
     if (const auto found = node.find(key); found && has_shape)
       found->fail_at_key(
           fmt::format("follows from the shape {}; leave it out, or give section properties only", shape));
+  if (has_fibres(node))
+    return read_fibre_section(node, shape, {name, dimension_, fibre_materials_, default_ ? default_->density : 0.0});
+  for (const char* const key : {"layers", "across", "density", "GJ"})
+    if (const auto found = node.find(key))
+      found->fail_at_key("belongs to a section of fibres; add material: NAME, or leave it out");
   const Input given = node.at(shape);
-  Section section = has_shape ? placed(given, [&] { return read_shape(given, shape); }) : read_numbers(node, dimension);
+  Section section =
+      has_shape ? placed(given, [&] { return read_shape(given, shape); }) : read_numbers(node, dimension_);
   if (const auto shear = node.find("shear")) {
     const bool wanted = shear->as_bool();
-    const bool has = dimension == 2 ? node.has("shear_area_z") : node.has("shear_area_y") && node.has("shear_area_z");
+    const bool has = dimension_ == 2 ? node.has("shear_area_z") : node.has("shear_area_y") && node.has("shear_area_z");
     if (wanted && !has_shape && !has)
-      shear->fail(dimension == 2 ? "requires shear_area_z; type shear_area_z: 0.13 m^2"
-                                 : "requires shear_area_y and shear_area_z; type shear_area_z: 0.13 m^2");
+      shear->fail(dimension_ == 2 ? "requires shear_area_z; type shear_area_z: 0.13 m^2"
+                                  : "requires shear_area_y and shear_area_z; type shear_area_z: 0.13 m^2");
     if (!wanted) section = without_shear_deformation(section);
   }
   if (const auto axis = node.find("axis"); axis && axis->as_choice() == "weak") section = turned_section(section);
@@ -112,15 +113,24 @@ Section read_section(const Input& node, int dimension) {
 }
 
 SectionLibrary::SectionLibrary(const Input& frame, int dimension) : dimension_(dimension) {
-  if (const auto all = frame.find("materials"))
-    for (const auto& [name, node] : all->entries()) materials_.emplace(name, read_material(node));
-  if (const auto all = frame.find("sections"))
-    for (const auto& [name, node] : all->entries()) sections_.emplace(name, read_section(node, dimension));
+  if (const auto all = frame.find("materials")) {
+    // Confined concretes refer to others.
+    for (const bool is_confined : {false, true})
+      for (const auto& [name, node] : all->entries()) {
+        if (node.has("confined") != is_confined) continue;
+        if (node.has("E"))
+          materials_.emplace(name, read_material(node));
+        else
+          fibre_materials_.emplace(name, read_fibre_material(name, node, fibre_materials_));
+      }
+  }
   if (const auto node = frame.find("material")) default_ = material(*node);
+  if (const auto all = frame.find("sections"))
+    for (const auto& [name, node] : all->entries()) sections_.emplace(name, read(node, name));
 }
 
 Section SectionLibrary::section(const Input& node) const {
-  if (node.is_map()) return read_section(node, dimension_);
+  if (node.is_map()) return read(node, node.path());
   const std::string name = node.as_text();
   if (const auto found = sections_.find(name); found != sections_.end()) return found->second;
   if (sections_.empty() || placed(node, [&] { return find_profile(name); })) return read_profile(node, name);
@@ -141,7 +151,13 @@ Material SectionLibrary::material(const Input& node) const {
   const std::string name = node.as_text();
   if (!materials_.contains(name))
     if (const auto steel = find_steel(name)) return *steel;
-  return named(node, "material", materials_);
+  if (const auto found = materials_.find(name); found != materials_.end()) return found->second;
+  if (fibre_materials_.contains(name))
+    node.fail(
+        fmt::format("\"{}\" is a law of fibres, and members without fibres take an elastic material; type "
+                    "material: {{E: 30 GPa}}",
+                    excerpt(name)));
+  node.fail(unknown_name("material", name, names(materials_)));
 }
 
 Material SectionLibrary::default_material(const Input& member) const {

@@ -4,21 +4,19 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <pounding/frames/frame.hpp>
+#include <pounding/input/frames/fibre_material_input.hpp>
 #include <pounding/input/input.hpp>
 
 namespace pounding {
 
-/// Reads {E, G or poisson (default 0.2), density (default 0), strength}. Throws InputError with the location.
-Material read_material(const Input& node);
+/// Elastic section of one of profile, rectangle, i_section, tube and circle. Throws InputError with the location.
+Section read_shape(const Input& node, std::string_view shape);
 
-/// Reads one of profile, rectangle, i_section, tube, circle, or area and second moments of area. shear: false neglects
-/// shear deformation; stiffness is a factor on both second moments. Throws InputError.
-Section read_section(const Input& node, int dimension);
-
-/// Materials and sections in `materials:`, `sections:` and `material:` of a frame.
+/// Materials and sections in `materials:`, `sections:` and `material:` of a frame. All functions throw InputError.
 class SectionLibrary {
  public:
   SectionLibrary(const Input& frame, int dimension);
@@ -31,11 +29,18 @@ class SectionLibrary {
   GridSections sections_of_grid(const Input& node, int storeys, int lines) const;
   /// Default material of members; `member` is the location of the error if there is none.
   Material default_material(const Input& member) const;
+  /// The sections of `sections:` by name.
+  const std::map<std::string, Section>& sections() const { return sections_; }
 
  private:
+  /// Reads one of profile, rectangle, i_section, tube, circle, rc_rectangle, fibres, or area and second moments of
+  /// area. shear: false neglects shear deformation; stiffness is a factor on both second moments.
+  Section read(const Input& node, const std::string& name) const;
+
   int dimension_;
   std::map<std::string, Section> sections_;
   std::map<std::string, Material> materials_;
+  FibreMaterials fibre_materials_;
   std::optional<Material> default_;
 };
 

@@ -22,7 +22,7 @@ constexpr Key frame_keys[] = {
      "S460, "
      "A36, A992) with its strength and density, or a map.",
      "{E: 30 GPa, poisson: 0.2, density: 2500 kg/m^3}"},
-    {"materials", map(material).named(), optional, "Materials by name.",
+    {"materials", map(material).named(), optional, "Elastic materials and laws of fibres by name.",
      "{concrete: {E: 30 GPa}, steel: {E: 210 GPa}}"},
     {"sections", map(cross_section).named(), optional, "Cross-sections by name.",
      "{column: {rectangle: [0.5 m, 0.5 m]}}"},
@@ -73,6 +73,10 @@ constexpr Key frame_keys[] = {
      "Plastic hinges at the ends of members, by member, or for all beams or columns. Not available with geometry: "
      "corotational.",
      "{beams: {at: both, yield_moment: 210 kN m, hardening: 3 %}}", "0.2.0"},
+    {"fibres", map(frame_fibres), otherwise("elastic members"),
+     "Members whose sections of fibres yield along their length. Without this key such members are elastic, with the "
+     "initial stiffness of their fibres.",
+     "{rule: lobatto, points: 5, members: all}", "0.3.0"},
     {"devices", map(own_device).named(), optional,
      "Braces and dampers between two nodes, or between a node and the ground, by name.",
      "{brace: {between: [a, c], bilinear: {stiffness: 80 MN/m, yield_force: 600 kN, hardening: 0.02}}}", "0.2.0"},

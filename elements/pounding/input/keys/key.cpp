@@ -41,10 +41,11 @@ constexpr auto without_laws =
     }(model, ground_motion, components, motion, wave, harmonic, sum_part, pulse, synthetic, displacement,
       moved_harmonic, moved_part, structure, body, oscillator, shear_building, storey_spring, wall, damping, rayleigh,
       mass_proportional, stiffness_proportional, modal, force, force_harmonic, force_sum_part, force_pulse, step_force,
-      frame, material, cross_section, i_section, tube, grid, bay_width, combination, member, releases, offsets, support,
+      frame, material, confined, cross_section, i_section, tube, rc_rectangle, fibres_of_section, patch,
+      patch_rectangle, patch_ring, bar_layer, grid, bay_width, combination, member, releases, offsets, support,
       support_springs, support_dashpots, isolator, floor, node_masses, node_loads, node_displacements, spring, tie,
-      hinge, report, link, link_end, link_friction, stiffness, device, own_device, bar, damper, analysis, reduction,
-      checkpoint);
+      hinge, frame_fibres, report, link, link_end, link_friction, stiffness, device, own_device, bar, damper, analysis,
+      reduction, checkpoint);
 
 }  // namespace
 
@@ -73,6 +74,7 @@ std::span<const Section* const> sections() noexcept {
     std::vector<const Section*> made;
     for (const Section* section : without_laws) {
       made.push_back(section);
+      if (section == &material) std::ranges::copy(laws_of_materials(), std::back_inserter(made));
       if (section == &storey_spring) std::ranges::copy(laws_of_springs(), std::back_inserter(made));
       if (section == &isolator) std::ranges::copy(laws_of_isolators(), std::back_inserter(made));
       if (section == &hinge) std::ranges::copy(laws_of_hinges(), std::back_inserter(made));

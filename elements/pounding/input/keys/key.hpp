@@ -29,6 +29,7 @@ enum class Form : unsigned char {
   one_or_each,  ///< one value for all, or a list with one value per item
   one_or_list,  ///< one value, or a list
   list,         ///< a list of values
+  lists,        ///< a list of lists
   named,        ///< a map from user-defined names to values
   named_lists,  ///< a map from user-defined names to lists
   by_storey  ///< one value, a list from the ground up, or a map from storeys ("4", "1-3"); items may be lists by line
@@ -85,6 +86,7 @@ struct Value {
   constexpr Value list() const { return as(Form::list); }
   constexpr Value list(int members) const { return as(Form::list, members, members); }
   constexpr Value list(int from, int to) const { return as(Form::list, from, to); }
+  constexpr Value lists(int from, int to) const { return as(Form::lists, from, to); }
   constexpr Value nonempty_list() const { return as(Form::list, 1); }
   constexpr Value named() const { return as(Form::named); }
   constexpr Value named_lists(int from, int to) const { return as(Form::named_lists, from, to); }

@@ -6,17 +6,6 @@ namespace {
 
 constexpr std::string_view section_axes[] = {"strong", "weak"};
 
-constexpr Key material_keys[] = {
-    {"E", quantity(dimension::stress, bounds::positive), required, "Young's modulus.", "30 GPa"},
-    {"G", quantity(dimension::stress, bounds::positive), otherwise("E/(2 (1 + poisson))"),
-     "Shear modulus. Give G or poisson, not both.", "12.5 GPa"},
-    {"poisson", number(0, 0.5), otherwise("0.2"), "Poisson's ratio. Give G or poisson, not both.", "0.2"},
-    {"density", quantity(dimension::density, bounds::non_negative), otherwise("0 kg/m^3"),
-     "Density, from which the mass of members follows.", "2500 kg/m^3"},
-    {"strength", quantity(dimension::stress, bounds::positive), otherwise("none"),
-     "Yield strength of steel, for hinges with strength: material.", "355 MPa", "0.3.0"},
-};
-
 constexpr Key cross_section_keys[] = {
     {"profile", text(), exactly_one,
      "Standard steel section by name, regardless of case and blanks: IPE, HEA, HEB, HEM, HD, HP, UB, UC, UBP; W, M, S, "
@@ -29,6 +18,14 @@ constexpr Key cross_section_keys[] = {
      "{depth: 300 mm, width: 150 mm, flange: 10.7 mm, web: 7.1 mm}"},
     {"tube", map(tube), exactly_one, "Circular hollow section.", "{diameter: 0.5 m, thickness: 10 mm}"},
     {"circle", quantity(dimension::length, bounds::positive), exactly_one, "Diameter of a solid circle.", "0.6 m"},
+    {"rc_rectangle", map(rc_rectangle), exactly_one, "Reinforced-concrete rectangle of fibres.",
+     "{width: 0.4 m, depth: 0.4 m, cover: 40 mm, core: core, shell: cover, bars: bars, top: 4 d20, bottom: 4 d20, "
+     "sides: 2 d20}",
+     "0.3.0"},
+    {"fibres", map(fibres_of_section), exactly_one, "Section of fibres by patches, layers of bars and points.",
+     "{patches: [{rectangle: {y: [-0.2 m, 0.2 m], z: [-0.2 m, 0.2 m]}, cells: [1, 24], material: core}], layers: "
+     "[{bars: 4 d20, from: [-0.16 m, 0.16 m], to: [0.16 m, 0.16 m], material: bars}]}",
+     "0.3.0"},
     {"area", quantity(dimension::area, bounds::positive), exactly_one,
      "Area of a section given by its properties; requires inertia_y, in space also inertia_z and torsion.", "0.16 m^2"},
     {"inertia_y", quantity(dimension::second_moment, bounds::positive), otherwise("from the shape"),
@@ -49,7 +46,20 @@ constexpr Key cross_section_keys[] = {
      "weak turns the section by 90 degrees about its axis: local y and z are exchanged, so that a plane frame bends a "
      "standard section about its weak axis.",
      "weak", "0.3.0"},
-    {"shear", boolean(), otherwise("true if shear areas are known"), "false neglects shear deformation.", "false"},
+    {"material", text(), otherwise("an elastic section"),
+     "Law from materials, which makes a section of fibres from profile, rectangle, i_section, tube or circle.", "steel",
+     "0.3.0"},
+    {"layers", integer(1, 1000), otherwise("24"),
+     "Number of fibres along the depth of the core, of a rectangle or of a web; around a circle or tube twice as many.",
+     "40", "0.3.0"},
+    {"across", integer(1, 1000), otherwise("12 in space, 1 in the plane"),
+     "Number of fibres across the width of the core, of a rectangle or of a flange.", "8", "0.3.0"},
+    {"density", quantity(dimension::density, bounds::non_negative), otherwise("density of the material of the frame"),
+     "Density of a section of fibres, from which the mass of members follows.", "2500 kg/m^3", "0.3.0"},
+    {"GJ", quantity({1, 3, -2}, bounds::positive), otherwise("from the shape, with G = E/2.4"),
+     "Elastic torsional stiffness of a section of fibres, in space; required with fibres.", "40 MN m^2", "0.3.0"},
+    {"shear", boolean(), otherwise("true if shear areas are known; false with fibres"),
+     "false neglects shear deformation. true adds elastic shear deformation to a section of fibres.", "false"},
     {"stiffness", number(bounds::positive), otherwise("1"),
      "Factor on both second moments of area, for example for cracked concrete. Area, torsion constant and shear areas "
      "are unchanged.",
@@ -112,9 +122,6 @@ constexpr Key offsets_keys[] = {
 
 }  // namespace
 
-constinit const Section material{
-    "materials", "structures.NAME.frame.materials.NAME",
-    "Linear elastic material. The same keys apply to frame.material and to the material of a member.", material_keys};
 constinit const Section cross_section{
     "sections", "structures.NAME.frame.sections.NAME",
     "Cross-section. The same keys apply to grid.columns, grid.beams and the section of a member.", cross_section_keys};

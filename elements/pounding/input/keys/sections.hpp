@@ -24,9 +24,11 @@ extern const Section structure, body, oscillator, shear_building, wall, damping,
 /// Time-dependent forces: forces.cpp.
 extern const Section force, force_harmonic, force_sum_part, force_pulse, step_force;
 
-/// Frames: frames.cpp; materials, sections and members: members.cpp; supports, nodal masses and loads: nodes.cpp.
+/// Frames: frames.cpp; materials: materials.cpp; fibres: fibres.cpp; sections and members: members.cpp; supports, nodal
+/// masses and loads: nodes.cpp.
 extern const Section frame, grid, bay_width, combination, floor, report;
-extern const Section material, cross_section, i_section, tube, member, releases, offsets;
+extern const Section material, confined, cross_section, i_section, tube, member, releases, offsets;
+extern const Section rc_rectangle, fibres_of_section, patch, patch_rectangle, patch_ring, bar_layer, frame_fibres;
 extern const Section support, support_springs, support_dashpots, node_masses, node_loads, node_displacements, spring,
     tie;
 
@@ -35,6 +37,7 @@ extern const Section support, support_springs, support_dashpots, node_masses, no
 extern const Section storey_spring, hinge, isolator, device, own_device, bar, damper;
 
 /// Parameters and choices of each hysteretic law that applies, in the order of the laws.
+std::vector<const Section*> laws_of_materials();
 std::vector<const Section*> laws_of_springs();
 std::vector<const Section*> laws_of_hinges();
 std::vector<const Section*> laws_of_isolators();
