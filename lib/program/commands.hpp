@@ -18,6 +18,7 @@ void add_record(CLI::App& app);       ///< `record info|spectrum`
 void add_spectrum(CLI::App& app);     ///< `spectrum RESULTS.h5`
 void add_modes(CLI::App& app);        ///< `modes MODEL.yaml`
 void add_pushover(CLI::App& app);     ///< `pushover MODEL.yaml`
+void add_section(CLI::App& app);      ///< `section MODEL.yaml [NAME]`
 void add_sensitivity(CLI::App& app);  ///< `sensitivity MODEL.yaml`
 void add_study(CLI::App& app);        ///< `study`, `suite`, `separation` and `screen`
 void add_plot(CLI::App& app);         ///< `plot RESULTS.h5`
@@ -52,7 +53,8 @@ CLI::Option* is_report(CLI::Option* option);
 /// Writes the report of a results file, .pdf or .html. Throws as `draw`.
 void write_report(const std::string& results, const std::string& report);
 
-/// Draws a JSON object by python/pounding/MODULE.py: "_mode_shapes", "_pushover_curve" or "_spectra". Throws as `draw`.
+/// Draws a JSON object by python/pounding/MODULE.py: "_mode_shapes", "_pushover_curve", "_section_curves" or
+/// "_spectra". Throws as `draw`.
 void draw_json(const char* module, const std::string& json, const std::string& picture, const std::string& title = {});
 
 }  // namespace pounding::program

@@ -93,6 +93,7 @@ int serve(int argc, char** argv) {
   add_run(app);
   add_modes(app);
   add_pushover(app);
+  add_section(app);
   add_sensitivity(app);
   add_study(app);
   add_arguments(app);

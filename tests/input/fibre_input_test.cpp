@@ -57,9 +57,8 @@ Section section(const std::string& yaml, int dimension = 2, const std::string& m
 
 void refused(const std::string& yaml, const std::string& location, const test::Facts& facts,
              std::source_location line = std::source_location::current()) {
-  test::expect_message(
-      test::refusal<InputError>([&] { read_frame_structure(Input::read_text(yaml, "test.yaml")); }),
-      "test.yaml:" + location, facts, line);
+  test::expect_message(test::refusal<InputError>([&] { read_frame_structure(Input::read_text(yaml, "test.yaml")); }),
+                       "test.yaml:" + location, facts, line);
 }
 
 using test::at, test::mentions;
@@ -84,10 +83,11 @@ TEST(FibreInput, AReinforcedColumnHasTheMomentsOfTheReference) {
   std::vector<double> path;
   for (int i = 1; i <= 120; ++i) path.push_back(0.0005 * i);
   const std::vector<double> forces{0, -1e6, -2e6, -3e6, -4e6, -5e6};
-  const std::vector<double> moments{253578.39469499106, 341796.1482219584, 377675.25086288986,
-                                    334094.6383369934, 253322.87623266544, 144482.87023209018};
+  const std::vector<double> moments{253578.39469499106, 341796.1482219584,  377675.25086288986,
+                                    334094.6383369934,  253322.87623266544, 144482.87023209018};
   const auto diagram = sections::interaction(fibres->section, forces, path);
-  for (std::size_t i = 0; i < forces.size(); ++i) EXPECT_NEAR(diagram[i].moment, moments[i], 1e-9 * 377675) << forces[i];
+  for (std::size_t i = 0; i < forces.size(); ++i)
+    EXPECT_NEAR(diagram[i].moment, moments[i], 1e-9 * 377675) << forces[i];
 }
 
 // EA and EI by hand: concrete of both moduli and bars, all of them symmetric.
@@ -120,8 +120,7 @@ TEST(FibreInput, SteelShapesHaveTheirAreaAndInertia) {
   for (const char* const shape :
        {"profile: HEB400", "profile: IPE300", "profile: W14x90", "profile: SHS 200x8", "profile: RHS 300x200x10",
         "profile: HSS8x8x1/2", "profile: CHS 219.1x8", "profile: PIPE8STD", "tube: {diameter: 0.5, thickness: 0.01}",
-        "circle: 0.3", "rectangle: [0.1, 0.3]",
-        "i_section: {depth: 0.3, width: 0.15, flange: 0.0107, web: 0.0071}"})
+        "circle: 0.3", "rectangle: [0.1, 0.3]", "i_section: {depth: 0.3, width: 0.15, flange: 0.0107, web: 0.0071}"})
     for (const int dimension : {2, 3}) {
       SCOPED_TRACE(fmt::format("{} in {}D", shape, dimension));
       const Section elastic = section(fmt::format("{{{}}}", shape), dimension, "material: {E: 200 GPa}\n");
@@ -166,10 +165,11 @@ TEST(FibreInput, ExplicitFibresAreThoseOfTheShape) {
 
 // The numbers of confine(), which tests/materials compares with published ones. Hoops hold four bars at top and bottom.
 TEST(FibreInput, ConfinedConcreteFollowsFromItsHoops) {
-  const auto fibres = section(
-      "{rectangle: [0.33, 0.33], material: inner}", 2,
-      "  inner: {confined: {of: cover, width: 330 mm, depth: 330 mm, bars: 10 d20, hoops: 10 mm, spacing: 100 mm, fyh: "
-      "420 MPa, legs: [2, 4]}}\n").fibres;
+  const auto fibres = section("{rectangle: [0.33, 0.33], material: inner}", 2,
+                              "  inner: {confined: {of: cover, width: 330 mm, depth: 330 mm, bars: 10 d20, hoops: 10 "
+                              "mm, spacing: 100 mm, fyh: "
+                              "420 MPa, legs: [2, 4]}}\n")
+                          .fibres;
   const FibreMaterial& inner = fibres->materials[0];
   const double leg = M_PI * 0.01 * 0.01 / 4;
   const std::vector<double> gaps{0.08, 0.08, 0.08, 0.08, 0.08, 0.08, 0.28, 0.28};
@@ -205,14 +205,16 @@ TEST(FibreInput, MembersYieldByTheirFibres) {
     EXPECT_EQ(each.options->geometry, MemberGeometry::corotational);
     EXPECT_TRUE(std::isinf(each.options->shear_stiffness_z));
   }
-  const FrameModel columns = read(frame + "fibres: {members: columns, rule: hinge_radau, hinge_length: [0.4 m, 0.3 m]}\n");
+  const FrameModel columns =
+      read(frame + "fibres: {members: columns, rule: hinge_radau, hinge_length: [0.4 m, 0.3 m]}\n");
   ASSERT_EQ(columns.fibres.size(), 4u);
   const IntegrationRule expected = hinge_radau(0.4 / 3.2, 0.3 / 3.2);
   ASSERT_EQ(columns.fibres[0].options->rule.points.size(), expected.points.size());
   EXPECT_EQ(columns.fibres[0].options->rule.points[1].weight, expected.points[1].weight);
-  EXPECT_EQ(read(frame + "fibres: {members: [beams, column 1.0], rule: legendre, points: 3, formulation: displacement}\n")
-                .fibres.size(),
-            3u);
+  EXPECT_EQ(
+      read(frame + "fibres: {members: [beams, column 1.0], rule: legendre, points: 3, formulation: displacement}\n")
+          .fibres.size(),
+      3u);
 }
 
 TEST(FibreInput, ASofteningCoreNeedsAHingeLength) {
@@ -228,48 +230,64 @@ TEST(FibreInput, ASofteningCoreNeedsAHingeLength) {
 
 TEST(FibreInput, WrongMaterialsAreRefused) {
   const auto frame = [](const std::string& material, const std::string& more = "") {
-    return "materials: {one: " + material + "}\nsections: {s: {rectangle: [0.1, 0.3], material: one}}\nnodes: {a: [0, 0], "
-           "b: [0, 3]}\nmembers: {c: {between: [a, b], section: s" + more + "}}\nsupports: {a: fixed}\nmasses: {b: 1 t}\n";
+    return "materials: {one: " + material +
+           "}\nsections: {s: {rectangle: [0.1, 0.3], material: one}}\nnodes: {a: [0, 0], "
+           "b: [0, 3]}\nmembers: {c: {between: [a, b], section: s" +
+           more + "}}\nsupports: {a: fixed}\nmasses: {b: 1 t}\n";
   };
   refused(frame("{steel1: {Fy: 460 MPa}}"), at("1:19", "materials.one"), mentions({"steel1", "steel01"}));
-  refused(frame("{steel01: {Fy: 460 MPa, E: 200 GPa, b: 0.01}}"), at("1:42", "materials.one.steel01"), mentions({"E", "E0"}));
+  refused(frame("{steel01: {Fy: 460 MPa, E: 200 GPa, b: 0.01}}"), at("1:42", "materials.one.steel01"),
+          mentions({"E", "E0"}));
   refused(frame("{steel01: {Fy: 460 MPa, E0: 200 GPa}}"), at("1:28", "materials.one.steel01"), mentions({"b"}));
-  refused(frame("{steel01: {Fy: 460 kN, E0: 200 GPa, b: 0.01}}"), at("1:33", "materials.one.steel01.Fy"), mentions({"460 kN", "stress"}));
-  refused(frame("{steel01: {Fy: 460 MPa, E0: 200 GPa, b: 1.5}}"), at("1:58", "materials.one.steel01.b"), mentions({"1.5"}));
-  refused(frame("{concrete01: {fpc: 30 MPa, epsc0: -0.002, fpcu: -5 MPa, epsU: -0.006}}"), at("1:37", "materials.one.concrete01.fpc"), mentions({"negative"}));
+  refused(frame("{steel01: {Fy: 460 kN, E0: 200 GPa, b: 0.01}}"), at("1:33", "materials.one.steel01.Fy"),
+          mentions({"460 kN", "stress"}));
+  refused(frame("{steel01: {Fy: 460 MPa, E0: 200 GPa, b: 1.5}}"), at("1:58", "materials.one.steel01.b"),
+          mentions({"1.5"}));
+  refused(frame("{concrete01: {fpc: 30 MPa, epsc0: -0.002, fpcu: -5 MPa, epsU: -0.006}}"),
+          at("1:37", "materials.one.concrete01.fpc"), mentions({"negative"}));
   refused(frame("{E: 200 GPa}"), at("2:49", "sections.s.material"), mentions({"one", "elastic"}));
-  refused(frame("{steel01: {Fy: 460 MPa, E0: 200 GPa, b: 0.01}, density: 7850}"), at("1:65", "materials.one.density"), mentions({"steel01"}));
-  refused(frame("{steel01: {Fy: 460 MPa, E0: 200 GPa, b: 0.01}}", ", material: {E: 200 GPa}"), at("4:44", "members.c.material"), mentions({"fibres"}));
+  refused(frame("{steel01: {Fy: 460 MPa, E0: 200 GPa, b: 0.01}, density: 7850}"), at("1:65", "materials.one.density"),
+          mentions({"steel01"}));
+  refused(frame("{steel01: {Fy: 460 MPa, E0: 200 GPa, b: 0.01}}", ", material: {E: 200 GPa}"),
+          at("4:44", "members.c.material"), mentions({"fibres"}));
 }
 
 TEST(FibreInput, WrongSectionsAreRefused) {
   const auto one = [](const std::string& section) {
-    return materials + "sections:\n  one: " + section + "\nnodes: {a: [0, 0], b: [0, 3]}\nmembers: {c: {between: [a, b], section: one}}\n"
+    return materials + "sections:\n  one: " + section +
+           "\nnodes: {a: [0, 0], b: [0, 3]}\nmembers: {c: {between: [a, b], section: one}}\n"
            "supports: {a: fixed}\nmasses: {b: 1 t}\n";
   };
   const std::string rc = "{rc_rectangle: {width: 0.4, depth: 0.4, cover: 0.04, core: core, shell: cover, bars: bars, ";
-  refused(one(rc + "top: 4 x 20, bottom: 4 d20}}"), at("6:104", "sections.one.rc_rectangle.top"), mentions({"4 d20", "4 x 20"}));
-  refused(one(rc + "top: 4 d20, bottom: 4 d20, sides: 3 d20}}"), at("6:133", "sections.one.rc_rectangle.sides"), mentions({"even"}));
-  refused(one("{rc_rectangle: {width: 0.4, depth: 0.4, cover: 0.04, core: cor, shell: cover, bars: bars, top: 4 d20, bottom: 4 d20}}"),
+  refused(one(rc + "top: 4 x 20, bottom: 4 d20}}"), at("6:104", "sections.one.rc_rectangle.top"),
+          mentions({"4 d20", "4 x 20"}));
+  refused(one(rc + "top: 4 d20, bottom: 4 d20, sides: 3 d20}}"), at("6:133", "sections.one.rc_rectangle.sides"),
+          mentions({"even"}));
+  refused(one("{rc_rectangle: {width: 0.4, depth: 0.4, cover: 0.04, core: cor, shell: cover, bars: bars, top: 4 d20, "
+              "bottom: 4 d20}}"),
           at("6:67", "sections.one.rc_rectangle.core"), mentions({"cor", "core"}));
-  refused(one("{rectangle: [0.3, 0.5], material: bars, stiffness: 0.5}"), at("6:48", "sections.one.stiffness"), mentions({"fibres"}));
+  refused(one("{rectangle: [0.3, 0.5], material: bars, stiffness: 0.5}"), at("6:48", "sections.one.stiffness"),
+          mentions({"fibres"}));
   refused(one("{rectangle: [0.3, 0.5], layers: 10}"), at("6:32", "sections.one.layers"), mentions({"material"}));
   const std::string patch = "{rectangle: {y: [-0.2, 0.2], z: [-0.2, 0.2]}, cells: [1, 10], material: core}";
-  refused(one("{fibres: {patches: [" + patch + "], area: 0.2 m^2}}"), at("6:114", "sections.one.fibres.area"), mentions({"0.16", "0.2"}));
-  refused(one("{fibres: {patches: [" + patch + "]}, shear: true}"), at("6:116", "sections.one.shear"), mentions({"shape"}));
+  refused(one("{fibres: {patches: [" + patch + "], area: 0.2 m^2}}"), at("6:114", "sections.one.fibres.area"),
+          mentions({"0.16", "0.2"}));
+  refused(one("{fibres: {patches: [" + patch + "]}, shear: true}"), at("6:116", "sections.one.shear"),
+          mentions({"shape"}));
   refused(one("{fibres: {}}"), at("6:17", "sections.one.fibres"), mentions({"patches", "points"}));
 }
 
 TEST(FibreInput, WrongMembersAreRefused) {
   const std::string frame = materials + sections() + grid;
   refused(frame + "fibres: {rule: hinge_radau}\n", at("9:9", "fibres"), mentions({"hinge_length: 0.3 m"}));
-  refused(frame + "fibres: {hinge_length: 0.3 m}\n", at("9:10", "fibres.hinge_length"), mentions({"hinge_radau", "lobatto"}));
+  refused(frame + "fibres: {hinge_length: 0.3 m}\n", at("9:10", "fibres.hinge_length"),
+          mentions({"hinge_radau", "lobatto"}));
   refused(frame + "fibres: {rule: hinge_radau, hinge_length: 2 m}\n", at("9:43", "fibres.hinge_length"), {});
   refused(frame + "fibres: {members: [colums]}\n", at("9:20", "fibres.members[0]"), mentions({"colums", "columns"}));
   refused(frame + "fibres: {points: 11}\n", at("9:18", "fibres.points"), mentions({"10"}));
   refused(frame + "fibres: {rul: lobatto}\n", at("9:10", "fibres"), mentions({"rul", "rule"}));
-  refused(frame + "hinges: {beams: {at: both, yield_moment: 210 kN m}}\nfibres: {members: beams}\n", at("10:9", "fibres"),
-          mentions({"beam x 1.0", "hinge"}));
+  refused(frame + "hinges: {beams: {at: both, yield_moment: 210 kN m}}\nfibres: {members: beams}\n",
+          at("10:9", "fibres"), mentions({"beam x 1.0", "hinge"}));
   const std::string elastic = materials + sections("{rectangle: [0.3, 0.5]}") + grid + "material: {E: 30 GPa}\n";
   refused(elastic + "fibres: {members: beams}\n", at("10:19", "fibres.members"), mentions({"beams", "fibres"}));
 }
@@ -278,16 +296,16 @@ TEST(FibreInput, WrongMembersAreRefused) {
 Model model(const std::string& frame) {
   std::string indented = "    ";
   for (const char c : frame) indented += c == '\n' ? "\n    " : std::string(1, c);
-  return read_model(Input::read_text("analysis: {duration: 1}\nstructures:\n  old:\n   damping: 5 %\n   frame:\n" + indented,
-                                     "test.yaml"));
+  return read_model(Input::read_text(
+      "analysis: {duration: 1}\nstructures:\n  old:\n   damping: 5 %\n   frame:\n" + indented, "test.yaml"));
 }
 
 TEST(FibreInput, CheckPrintsTheModuliNextToThoseOfTheCode) {
   const Model read = model(materials + sections() + grid + "fibres: {members: columns, regularized: none}\n");
   const std::string text = describe(read);
-  EXPECT_TRUE(test::mentions(text, {"section column", "0.16 m^2", "4 members", "core: concrete02", "E0 18 GPa",
-                                    "EN 1992-1-1: 32.31 GPa", "cover: concrete02", "E0 28 GPa", "29.96 GPa",
-                                    "section beam", "elastic"}));
+  EXPECT_TRUE(test::mentions(
+      text, {"section column", "0.16 m^2", "4 members", "core: concrete02", "E0 18 GPa", "EN 1992-1-1: 32.31 GPa",
+             "cover: concrete02", "E0 28 GPa", "29.96 GPa", "section beam", "elastic"}));
   const std::string warning = test::only(implausible(read));
   EXPECT_TRUE(test::mentions(warning, {"core", "18 GPa", "44 %", "32.31 GPa", "epsc0", "E0"})) << warning;
 }

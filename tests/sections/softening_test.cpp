@@ -35,8 +35,7 @@ TEST(Softening, OfASectionOfOneConcreteCounts) {
       {.law = "concrete04", .values = {{"fc", -30e6}, {"epsc", -0.002}, {"epscu", -0.01}, {"Ec", 26e9}}});
   EXPECT_EQ(find_softening({{popovics}, square}).value().rest, 0);
   const AnyMaterial constant = materials::make_material(
-      {.law = "concrete01",
-       .values = {{"fpc", -30e6}, {"epsc0", -0.002}, {"fpcu", -30e6}, {"epsU", -0.006}}});
+      {.law = "concrete01", .values = {{"fpc", -30e6}, {"epsc0", -0.002}, {"fpcu", -30e6}, {"epsU", -0.006}}});
   EXPECT_FALSE(find_softening({{constant}, square}));
 }
 

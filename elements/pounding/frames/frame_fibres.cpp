@@ -37,10 +37,12 @@ FibreSectionReport::Law law_report(const FibreMaterial& material) {
 bool is_restrained(const FrameModel& model, int member) {
   const auto [start, end] = model.frame.ends(member);
   return std::abs(model.frame.beam(member).axes()(0, 2)) < 1e-6 &&
-         std::ranges::any_of(model.floors, [&, start = start, end = end](const FrameFloor& floor) {
-           const auto has = [&](int node) { return std::ranges::find(floor.nodes, node) != floor.nodes.end(); };
-           return floor.master >= 0 && has(start) && has(end);
-         });
+         std::ranges::any_of(
+             model.floors,
+             [&, start = start, end = end](const FrameFloor& floor) {
+               const auto has = [&](int node) { return std::ranges::find(floor.nodes, node) != floor.nodes.end(); };
+               return floor.master >= 0 && has(start) && has(end);
+             });
 }
 
 // Moments of a section at the curvature that is compared, with and without axial strain of zero.

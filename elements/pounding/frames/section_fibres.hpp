@@ -15,7 +15,7 @@ namespace pounding {
 struct FibreMaterial {
   std::string name;
   materials::AnyMaterial law;
-  double concrete_strength = 0;  ///< without confinement, > 0 [Pa]; 0 for other materials
+  double concrete_strength = 0;                         ///< without confinement, > 0 [Pa]; 0 for other materials
   std::optional<materials::Confinement> confinement{};  ///< from which the parameters follow
 };
 
@@ -25,7 +25,8 @@ double concrete_strength(const materials::AnyMaterial& law);
 /// Initial modulus of a material [Pa].
 double initial_modulus(const materials::AnyMaterial& law);
 
-/// Secant modulus of concrete of a strength [Pa]: 22 GPa (f/10 MPa)^0.3, EN 1992-1-1, table 3.1, with the mean strength.
+/// Secant modulus of concrete of a strength [Pa]: 22 GPa (f/10 MPa)^0.3, EN 1992-1-1, table 3.1, with the mean
+/// strength.
 double code_modulus(double strength);
 
 /// Fibres of a section.
@@ -40,7 +41,7 @@ struct SectionFibres {
 /// Properties of a section of fibres that do not follow from the fibres.
 struct FibreSectionOptions {
   std::string name;
-  double density = 0;                   ///< [kg/m^3]
+  double density = 0;                         ///< [kg/m^3]
   std::optional<double> torsion_stiffness{};  ///< G J [N m^2]; by default that of the shape
 };
 

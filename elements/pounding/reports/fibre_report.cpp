@@ -17,8 +17,9 @@ std::string gigapascal(double modulus) { return format_quantity(modulus, dimensi
 // "fcc 36.2 MPa": strengths are in Pa, all others are numbers.
 std::string confined_value(const YieldingPart::Parameter& value) {
   const bool is_stress = value.name.starts_with('f');
-  return fmt::format("{} {}", value.name,
-                     is_stress ? format_quantity(value.value, dimension::stress, 4) : fmt::format("{:.4g}", value.value));
+  return fmt::format(
+      "{} {}", value.name,
+      is_stress ? format_quantity(value.value, dimension::stress, 4) : fmt::format("{:.4g}", value.value));
 }
 
 std::string describe_law(const FibreSectionReport::Law& law) {
@@ -36,9 +37,9 @@ std::string describe_fibres(const Structure& s) {
   for (const FibreSectionReport& section : s.fibre_sections) {
     text += fmt::format("     section {}: area {:.4g} m^2, uncracked EI {:.4g} MN m^2, {} member{}, {}\n", section.name,
                         section.area, section.bending_stiffness / 1e6, section.members, section.members == 1 ? "" : "s",
-                        section.yielding == 0                  ? "elastic"
+                        section.yielding == 0                 ? "elastic"
                         : section.yielding == section.members ? "yielding along their length"
-                                                               : fmt::format("{} yielding", section.yielding));
+                                                              : fmt::format("{} yielding", section.yielding));
     for (const FibreSectionReport::Law& law : section.laws) text += describe_law(law);
   }
   return text;
@@ -51,20 +52,21 @@ std::vector<Warning> warnings_about_fibres(const Structure& s) {
     for (const FibreSectionReport::Law& law : section.laws) {
       if (!known.insert(law.name).second) continue;
       if (!law.forgets_small_reversals && section.yielding > 0)
-        warnings.push_back({"steel02",
-                            fmt::format("structure {}: the tolerance does not apply to {}, since a reversal of 1e-9 of "
-                                        "the yield strain changes later stresses of {} by up to 0.36 Fy; type "
-                                        "menegotto_pinto unless results of OpenSees are to be reproduced",
-                                        s.name, law.name, law.law)});
+        warnings.push_back(
+            {"steel02", fmt::format("structure {}: the tolerance does not apply to {}, since a reversal of 1e-9 of "
+                                    "the yield strain changes later stresses of {} by up to 0.36 Fy; type "
+                                    "menegotto_pinto unless results of OpenSees are to be reproduced",
+                                    s.name, law.name, law.law)});
       if (const double ratio = law.code_modulus > 0 ? law.modulus / law.code_modulus - 1 : 0;
           std::abs(ratio) > largest_modulus_difference)
         warnings.push_back(
-            {"E0", fmt::format("structure {}: the initial modulus of {} is {}, {:.0f} % {} than the {} of EN 1992-1-1 "
-                               "for its strength{}",
-                               s.name, law.name, gigapascal(law.modulus), 100 * std::abs(ratio),
-                               ratio < 0 ? "less" : "more", gigapascal(law.code_modulus),
-                               law.law == "concrete04" ? "; check Ec"
-                                                       : "; it is 2 fpc/epsc0: check epsc0, or type concrete04 with Ec")});
+            {"E0",
+             fmt::format("structure {}: the initial modulus of {} is {}, {:.0f} % {} than the {} of EN 1992-1-1 "
+                         "for its strength{}",
+                         s.name, law.name, gigapascal(law.modulus), 100 * std::abs(ratio), ratio < 0 ? "less" : "more",
+                         gigapascal(law.code_modulus),
+                         law.law == "concrete04" ? "; check Ec"
+                                                 : "; it is 2 fpc/epsc0: check epsc0, or type concrete04 with Ec")});
     }
     if (const auto& by = section.restraint)
       warnings.push_back(

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <optional>
 #include <stdexcept>
 
@@ -44,9 +43,17 @@ Deformation bent(double axial_strain, double curvature, Axis axis) {
                               " 1/m; type a smaller force, negative in compression, or smaller curvatures");
 }
 
-/// Follows the path while `visit` gets points; returns the curvature that has no equilibrium, if any.
-std::optional<double> follow(const FibreSection& section, double axial_force, std::span<const double> curvatures,
-                             Axis axis, const std::function<void(const CurvePoint&)>& visit) {
+}  // namespace
+
+double find_axial_strain(const FibreSection& section, const FibreStates& states, double axial_force,
+                         Deformation deformation) {
+  const auto found = balance(section, states, initial_stiffness(section), axial_force, deformation);
+  if (!found) fail(axial_force, std::hypot(deformation[1], deformation[2]));
+  return *found;
+}
+
+std::vector<CurvePoint> resisted_curve(const FibreSection& section, double axial_force,
+                                       std::span<const double> curvatures, Axis axis) {
   const double stiffness = initial_stiffness(section);
   FibreStates states = section.states();
   double strain = 0;
@@ -57,31 +64,21 @@ std::optional<double> follow(const FibreSection& section, double axial_force, st
   };
   if (!go_to(0)) fail(axial_force, 0);
   section.accept(states, bent(strain, 0, axis));
+  std::vector<CurvePoint> curve;
   for (const double curvature : curvatures) {
-    if (!go_to(curvature)) return curvature;
+    if (!go_to(curvature)) break;
     const Deformation deformation = bent(strain, curvature, axis);
     const SectionResponse response = section.evaluate(states, deformation);
-    visit({curvature, response.force[axis == Axis::y ? 1 : 2], strain});
+    curve.push_back({curvature, response.force[axis == Axis::y ? 1 : 2], strain});
     section.accept(states, deformation);
   }
-  return {};
-}
-
-}  // namespace
-
-double find_axial_strain(const FibreSection& section, const FibreStates& states, double axial_force,
-                         Deformation deformation) {
-  const auto found = balance(section, states, initial_stiffness(section), axial_force, deformation);
-  if (!found) fail(axial_force, std::hypot(deformation[1], deformation[2]));
-  return *found;
+  return curve;
 }
 
 std::vector<CurvePoint> moment_curvature(const FibreSection& section, double axial_force,
                                          std::span<const double> curvatures, Axis axis) {
-  std::vector<CurvePoint> curve;
-  const auto failed =
-      follow(section, axial_force, curvatures, axis, [&](const CurvePoint& point) { curve.push_back(point); });
-  if (failed) fail(axial_force, *failed);
+  std::vector<CurvePoint> curve = resisted_curve(section, axial_force, curvatures, axis);
+  if (curve.size() < curvatures.size()) fail(axial_force, curvatures[curve.size()]);
   return curve;
 }
 
@@ -90,8 +87,8 @@ std::vector<InteractionPoint> interaction(const FibreSection& section, std::span
   std::vector<InteractionPoint> diagram;
   for (const double axial_force : axial_forces) {
     double largest = 0;
-    follow(section, axial_force, curvatures, axis,
-           [&](const CurvePoint& point) { largest = std::max(largest, point.moment); });
+    for (const CurvePoint& point : resisted_curve(section, axial_force, curvatures, axis))
+      largest = std::max(largest, point.moment);
     diagram.push_back({axial_force, largest});
   }
   return diagram;

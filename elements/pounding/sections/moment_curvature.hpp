@@ -30,6 +30,11 @@ double find_axial_strain(const FibreSection& section, const FibreStates& states,
 std::vector<CurvePoint> moment_curvature(const FibreSection& section, double axial_force,
                                          std::span<const double> curvatures, Axis axis = Axis::y);
 
+/// As moment_curvature(), but ends before the first curvature at which the section cannot resist the force. Throws
+/// std::invalid_argument if it cannot resist it at zero curvature.
+std::vector<CurvePoint> resisted_curve(const FibreSection& section, double axial_force,
+                                       std::span<const double> curvatures, Axis axis = Axis::y);
+
 /// Point of an interaction diagram: axial force [N] and largest moment [N m].
 struct InteractionPoint {
   double axial_force = 0, moment = 0;

@@ -15,8 +15,8 @@ struct Softening {
 };
 
 /// The first material with which the resistance of a section falls: one that resists tension, such as steel that
-/// ruptures; or a concrete, if all concretes of the section soften in compression. `nullopt` if there is none: the cover
-/// of a core that does not soften may spall. Tension that is below half the compressive strength is neglected.
+/// ruptures; or a concrete, if all concretes of the section soften in compression. `nullopt` if there is none: the
+/// cover of a core that does not soften may spall. Tension that is below half the compressive strength is neglected.
 std::optional<Softening> find_softening(const FibreSection& section);
 
 }  // namespace pounding::sections

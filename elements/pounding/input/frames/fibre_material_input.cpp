@@ -87,7 +87,8 @@ FibreMaterial read_confined(const std::string& name, const Input& node, const Fi
   add_clear_distances(clear_distances, core.width, hoop, bar, across_depth);
   add_clear_distances(clear_distances, core.depth, hoop, bar, across_width);
   for (const double gap : clear_distances)
-    if (!(gap > 0)) bars_node.fail("the bars that the hoops hold do not fit into the core; check width, depth and legs");
+    if (!(gap > 0))
+      bars_node.fail("the bars that the hoops hold do not fit into the core; check width, depth and legs");
   return placed(node, [&] {
     const materials::Confinement confinement = materials::confine(core, clear_distances);
     return FibreMaterial{name, confined_law(plain.law, confinement, core.strength), core.strength, confinement};
@@ -102,7 +103,8 @@ sections::Bars read_bars(const Input& node) {
   int count = 0;
   const char* const begin = text.data();
   const auto [end, error] = std::from_chars(begin, begin + std::min(d, text.size()), count);
-  const bool has_count = error == std::errc{} && text.find_first_not_of(' ', static_cast<std::size_t>(end - begin)) == d;
+  const bool has_count =
+      error == std::errc{} && text.find_first_not_of(' ', static_cast<std::size_t>(end - begin)) == d;
   double diameter = 0;
   if (d == text.npos || !has_count || count < 1 || !parse_number(text.substr(d + 1), diameter) || !(diameter > 0))
     node.fail(fmt::format("takes a number of bars and their diameter in mm such as \"4 d20\"; \"{}\" was read",

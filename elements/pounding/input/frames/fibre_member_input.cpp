@@ -40,7 +40,8 @@ class FibreMembersReader {
 
   void read_options() {
     const auto formulation = node_.find("formulation"), rule = node_.find("rule"), points = node_.find("points");
-    if (formulation && formulation->as_choice() == "displacement") options_.formulation = MemberFormulation::displacement;
+    if (formulation && formulation->as_choice() == "displacement")
+      options_.formulation = MemberFormulation::displacement;
     const std::string name = rule ? rule->as_choice() : "lobatto";
     hinge_length_ = node_.find("hinge_length");
     if (const auto regularized = node_.find("regularized")) regularized->as_choice();
@@ -49,13 +50,14 @@ class FibreMembersReader {
                                                                          : MemberGeometry::linear;
     if (name == "hinge_radau") {
       if (!hinge_length_) node_.fail("hinge_radau needs a plastic hinge length; type hinge_length: 0.3 m");
-      if (points) points->fail_at_key("hinge_radau has positions of its own; leave points out");
+      if (points) points->fail_at_key("hinge_radau defines the number of sections; leave points out");
       if (options_.formulation == MemberFormulation::displacement)
         rule->fail("hinge_radau needs formulation: force; type rule: lobatto, legendre or radau");
       lengths_ = read_lengths();
       return;
     }
-    if (hinge_length_) hinge_length_->fail_at_key(fmt::format("belongs to rule: hinge_radau, and the rule is {}", name));
+    if (hinge_length_)
+      hinge_length_->fail_at_key(fmt::format("belongs to rule: hinge_radau, and the rule is {}", name));
     const int count = points ? static_cast<int>(points->as_integer()) : 5;
     options_.rule = name == "legendre" ? legendre(count) : name == "radau" ? radau(count) : lobatto(count);
   }
@@ -75,9 +77,10 @@ class FibreMembersReader {
                                        const Input& location) const {
     std::erase_if(members, [&](const WholeMember& whole) { return !section(whole.first).fibres; });
     if (members.empty())
-      location.fail(fmt::format("no member of {} has a section of fibres; type a section such as {{rectangle: [0.2 m, "
-                                "0.4 m], material: steel}} or rc_rectangle",
-                                group));
+      location.fail(
+          fmt::format("no member of {} has a section of fibres; type a section such as {{rectangle: [0.2 m, "
+                      "0.4 m], material: steel}} or rc_rectangle",
+                      group));
     return members;
   }
 
@@ -96,9 +99,9 @@ class FibreMembersReader {
       const auto found = std::ranges::find(wholes_, name, &WholeMember::name);
       if (found == wholes_.end() && std::ranges::find(known, name) == known.end())
         item.fail(unknown_name("member", name, known));
-      const std::vector<WholeMember> those = found != wholes_.end()   ? std::vector{*found}
-                                             : name == "all" ? wholes_
-                                                             : members_of_group(model_.frame, name);
+      const std::vector<WholeMember> those = found != wholes_.end() ? std::vector{*found}
+                                             : name == "all"        ? wholes_
+                                                                    : members_of_group(model_.frame, name);
       std::ranges::copy(with_fibres(those, name, item), std::back_inserter(all));
     }
     return all;
@@ -107,25 +110,26 @@ class FibreMembersReader {
   void add(int member, const WholeMember& whole) {
     const Beam& beam = model_.frame.beam(member);
     const SectionFibres& fibres = *beam.section().fibres;
-    if (const auto& hinges = model_.frame.hinges();
-        std::ranges::find(hinges, member, &Hinge::member) != hinges.end())
+    if (const auto& hinges = model_.frame.hinges(); std::ranges::find(hinges, member, &Hinge::member) != hinges.end())
       node_.fail(fmt::format("{} has fibres and a hinge; leave one of them out", whole.name));
     FibreMemberOptions options = options_;
     if (options.formulation == MemberFormulation::displacement && std::isfinite(beam.section().shear_area_z))
-      node_.fail(fmt::format("formulation: displacement has no shear deformation; leave shear: true out of the section {}",
-                             fibres.name));
+      node_.fail(fmt::format(
+          "formulation: displacement has no shear deformation; leave shear: true out of the section {}", fibres.name));
     if (lengths_) options.rule = hinge_rule(whole);
     if (options.formulation == MemberFormulation::force && !lengths_) refuse_softening(fibres);
     options.shear_stiffness_y = beam.material().shear * beam.section().shear_area_y;
     options.shear_stiffness_z = beam.material().shear * beam.section().shear_area_z;
     options.torsion_stiffness = beam.material().shear * beam.section().torsion;
-    model_.fibres.push_back({member, {beam.section().fibres, &fibres.section},
+    model_.fibres.push_back({member,
+                             {beam.section().fibres, &fibres.section},
                              std::make_shared<const FibreMemberOptions>(std::move(options))});
   }
 
   IntegrationRule hinge_rule(const WholeMember& whole) const {
     if (whole.first != whole.last)
-      hinge_length_->fail(fmt::format("{} is divided into parts; hinge lengths apply to undivided members", whole.name));
+      hinge_length_->fail(
+          fmt::format("{} is divided into parts; hinge lengths apply to undivided members", whole.name));
     return placed(*hinge_length_,
                   [&] { return hinge_radau((*lengths_)[0] / whole.length, (*lengths_)[1] / whole.length); });
   }

@@ -60,7 +60,8 @@ void add_patch(const Input& node, UsedMaterials& used, Fibres& fibres) {
   node.only_keys();
   const std::string kind = node.chosen();
   const Input given = node.at(kind), cells_node = node.at("cells");
-  if (!cells_node.is_list() || cells_node.items().size() != 2) cells_node.fail("takes two numbers; type cells: [1, 24]");
+  if (!cells_node.is_list() || cells_node.items().size() != 2)
+    cells_node.fail("takes two numbers; type cells: [1, 24]");
   const std::vector<Input> counts = cells_node.items();
   const sections::Cells cells{static_cast<int>(counts[0].as_integer()), static_cast<int>(counts[1].as_integer())};
   const std::size_t material = used.index(node.at("material"));
@@ -90,7 +91,8 @@ void add_layer(const Input& node, UsedMaterials& used, Fibres& fibres) {
   const std::size_t material = used.index(node.at("material"));
   if (const auto radius = node.find("radius")) {
     for (const char* const key : {"from", "to"})
-      if (const auto found = node.find(key)) found->fail_at_key("belongs to a straight row, and radius to a circle; keep one");
+      if (const auto found = node.find(key))
+        found->fail_at_key("belongs to a straight row, and radius to a circle; keep one");
     return sections::add_circular_layer(fibres, material, bars.count, bars.area, read_centre(node),
                                         radius->as_quantity());
   }
@@ -100,7 +102,8 @@ void add_layer(const Input& node, UsedMaterials& used, Fibres& fibres) {
 }
 
 void add_fibre(const Input& node, UsedMaterials& used, Fibres& fibres) {
-  if (!node.is_list() || node.items().size() != 4) node.fail("takes [y, z, area, material]; type [0, 0.16 m, 1257 mm2, bars]");
+  if (!node.is_list() || node.items().size() != 4)
+    node.fail("takes [y, z, area, material]; type [0, 0.16 m, 1257 mm2, bars]");
   const std::vector<Input> items = node.items();
   fibres.push_back({items[0].as_quantity(dimension::length, bounds::any),
                     items[1].as_quantity(dimension::length, bounds::any),
@@ -118,7 +121,8 @@ std::pair<Section, Fibres> read_fibres(const Input& node, UsedMaterials& used) {
     for (const Input& each : list->items()) add_layer(each, used, fibres);
   if (const auto list = node.find("points"))
     for (const Input& each : list->items()) add_fibre(each, used, fibres);
-  if (fibres.empty()) node.fail("has no fibres; type patches: [...], layers: [...] or points: [[0, 0.16 m, 1257 mm2, bars]]");
+  if (fibres.empty())
+    node.fail("has no fibres; type patches: [...], layers: [...] or points: [[0, 0.16 m, 1257 mm2, bars]]");
   const Fibres& covering = patches.empty() ? fibres : patches;
   Section shape{.area = sections::area(covering)};
   if (const auto area = node.find("area")) {
@@ -142,7 +146,8 @@ std::pair<Section, Fibres> read_rc_rectangle(const Input& node, UsedMaterials& u
                            .across = across};
   if (const auto sides = node.find("sides")) {
     rc.sides = read_bars(*sides);
-    if (rc.sides.count % 2 != 0) sides->fail("takes an even number of bars, half of them in each side; type sides: 2 d20");
+    if (rc.sides.count % 2 != 0)
+      sides->fail("takes an even number of bars, half of them in each side; type sides: 2 d20");
   }
   return placed(node, [&] { return std::pair(rectangle_section(rc.width, rc.depth), sections::rc_rectangle(rc)); });
 }
@@ -171,10 +176,13 @@ bool has_fibres(const Input& section) {
 }
 
 Section read_fibre_section(const Input& node, const std::string& shape, const FibreSectionContext& context) {
-  const auto material = node.find("material"), gj = node.find("GJ"), axis = node.find("axis"), shear = node.find("shear");
+  const auto material = node.find("material"), gj = node.find("GJ"), axis = node.find("axis"),
+             shear = node.find("shear");
   const bool is_explicit = shape == "fibres", is_steel = !is_explicit && shape != "rc_rectangle";
-  if (material && !is_steel) material->fail_at_key(fmt::format("belongs to a shape of one material; {0} names its materials inside", shape));
-  if (shape == "area") material->fail_at_key("needs a shape that can be divided into fibres; type rectangle: [0.2 m, 0.4 m]");
+  if (material && !is_steel)
+    material->fail_at_key(fmt::format("belongs to a shape of one material; {0} names its materials inside", shape));
+  if (shape == "area")
+    material->fail_at_key("needs a shape that can be divided into fibres; type rectangle: [0.2 m, 0.4 m]");
   if (const auto factor = node.find("stiffness"))
     factor->fail_at_key("does not apply to fibres, whose materials determine the stiffness; leave it out");
   const bool is_weak = axis && axis->as_choice() == "weak";
@@ -194,7 +202,7 @@ Section read_fibre_section(const Input& node, const std::string& shape, const Fi
   UsedMaterials used(context.laws);
   const Input given = node.at(shape);
   if (is_steel) used.index(*material);
-  auto [section, fibres] = is_explicit                ? read_fibres(given, used)
+  auto [section, fibres] = is_explicit               ? read_fibres(given, used)
                            : shape == "rc_rectangle" ? read_rc_rectangle(given, used, layers, across)
                                                      : read_steel(given, shape, layers, across);
   if (!(shear && shear->as_bool())) section = without_shear_deformation(section);

@@ -16,6 +16,8 @@
 #include <pounding/input/fail_at.hpp>
 #include <pounding/input/frames/by_storey.hpp>
 #include <pounding/input/frames/fibre_section_input.hpp>
+#include <pounding/input/frames/frame_parser.hpp>
+#include <pounding/input/keys/sections.hpp>
 
 namespace pounding {
 namespace {
@@ -163,6 +165,27 @@ Material SectionLibrary::material(const Input& node) const {
 Material SectionLibrary::default_material(const Input& member) const {
   if (!default_) member.fail("the material is missing; type material: {E: 30 GPa} in the frame, for all members");
   return *default_;
+}
+
+std::string NamedSection::name() const { return fmt::format("{}.{}", structure, section.fibres->name); }
+
+std::vector<NamedSection> read_fibre_sections(const Input& file) {
+  const Input root = file.in(keys::model);
+  std::vector<NamedSection> all;
+  for (const auto& [name, structure] : root.at("structures").entries()) {
+    const auto frame = structure.find("frame");
+    if (!frame) continue;
+    const Input body = frame->in(keys::frame);
+    body.only_keys();
+    const SectionLibrary library(body, FrameParser(body).dimension());
+    for (const auto& [section_name, section] : library.sections())
+      if (section.fibres) all.push_back({name, section});
+  }
+  if (all.empty())
+    file.fail(
+        "no frame has a section of fibres in sections; type rc_rectangle: {...}, fibres: {...}, or a shape with "
+        "a material");
+  return all;
 }
 
 }  // namespace pounding

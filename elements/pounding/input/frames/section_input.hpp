@@ -44,4 +44,16 @@ class SectionLibrary {
   std::optional<Material> default_;
 };
 
+/// A section of fibres in `sections:` of a structure.
+struct NamedSection {
+  std::string structure;
+  Section section;
+
+  std::string name() const;  ///< "old.column"
+};
+
+/// The sections of fibres of all frames of a file, without the rest of the model. Throws InputError, also if there are
+/// none.
+std::vector<NamedSection> read_fibre_sections(const Input& file);
+
 }  // namespace pounding

@@ -31,7 +31,8 @@ constexpr Key fibres_of_section_keys[] = {
      "[{bars: 4 d20, from: [-0.16 m, 0.16 m], to: [0.16 m, 0.16 m], material: bars}]", "0.3.0"},
     {"points", any_value().lists(4, 4), at_least_one, "Single fibres: [y, z, area, material].",
      "[[0, 0.16 m, 1257 mm2, bars], [0, -0.16 m, 1257 mm2, bars]]", "0.3.0"},
-    {"area", quantity(dimension::area, bounds::positive), otherwise("area of the patches; without patches of all fibres"),
+    {"area", quantity(dimension::area, bounds::positive),
+     otherwise("area of the patches; without patches of all fibres"),
      "Gross area, from which the mass follows. The patches, or without patches all fibres, must cover it.", "0.16 m^2",
      "0.3.0"},
 };
@@ -79,7 +80,8 @@ constexpr Key bar_layer_keys[] = {
 
 constexpr Key frame_fibres_keys[] = {
     {"members", text().nonempty_list().or_one_of(member_groups), otherwise("all"),
-     "Members that yield along their length: all with a section of fibres, beams (horizontal) or columns (vertical), or "
+     "Members that yield along their length: all with a section of fibres, beams (horizontal) or columns (vertical), "
+     "or "
      "a list of names and of these groups. All others are elastic.",
      "[columns]", "0.3.0"},
     {"formulation", choice(formulations), otherwise("force"),
@@ -92,7 +94,8 @@ constexpr Key frame_fibres_keys[] = {
      "lobatto", "0.3.0"},
     {"points", integer(2, 10), otherwise("5"), "Number of sections of a member, for all rules but hinge_radau.", "5",
      "0.3.0"},
-    {"hinge_length", quantity(dimension::length, bounds::positive).or_list(2), otherwise("none; required by hinge_radau"),
+    {"hinge_length", quantity(dimension::length, bounds::positive).or_list(2),
+     otherwise("none; required by hinge_radau"),
      "Plastic hinge length at both ends, or two, [start, end]. Paulay & Priestley (1992): 0.08 L + 0.022 fy db, with "
      "the shear span L and the bar diameter db in m and fy in MPa.",
      "0.3 m", "0.3.0"},
@@ -117,8 +120,7 @@ constinit const Section patch_ring{"ring", "structures.NAME.frame.sections.NAME.
                                    "Ring or circle.", patch_ring_keys};
 constinit const Section bar_layer{"layers", "structures.NAME.frame.sections.NAME.fibres.layers[]",
                                   "Straight row or circle of equal bars.", bar_layer_keys};
-constinit const Section frame_fibres{
-    "fibres", "structures.NAME.frame.fibres",
-    "Members whose sections of fibres yield along their length.", frame_fibres_keys};
+constinit const Section frame_fibres{"fibres", "structures.NAME.frame.fibres",
+                                     "Members whose sections of fibres yield along their length.", frame_fibres_keys};
 
 }  // namespace pounding::keys

@@ -54,8 +54,7 @@ struct OfMaterials : YieldingKeys {
     for (const auto& parameter : M::parameters) {
       Key& spec = of_law.emplace_back(key_of(parameter, made));
       spec.since = "0.3.0";
-      if (parameter.info.unit == "Pa")
-        spec.example = kept(format_quantity(parameter.info.typical, dimension::stress));
+      if (parameter.info.unit == "Pa") spec.example = kept(format_quantity(parameter.info.typical, dimension::stress));
       if (spec.need == Need::required) example.add(spec);
     }
     const Section& section = add_section({kept(fmt::format("material_{}", M::name)),
