@@ -43,6 +43,10 @@ analysis: {duration: 1.2, output_step: 1 ms}
 compare: no_pounding
 """
 YIELDS = STAND_IN.replace("stiffness: 90 MN/m", "stiffness: 90 MN/m, yield_force: 0.5 MN, hardening: 5 %")
+FIBRES = """\
+structures:
+  left: {frame: {materials: {steel: {steel01: {Fy: 355 MPa, E0: 210 GPa, b: 0.01}}}, sections: {beam: {profile: HEB300, material: steel}}}}
+"""
 #: Commands that need their own Python, host or folder, and the test that runs them.
 ELSEWHERE = {
     "cmake": "program.cpp_lessons and program.hosts",
@@ -152,6 +156,9 @@ class CommandsInSentences(Lines):
                     words = [*words[:-1], "-opushed.h5"] if words[-1] == "-o" else words
                     if len(words) == 2:  # an option without an argument
                         words += ["yields.yaml", "--structure", "left", "--to", "2 % roof"]
+                if words[0] == "section":
+                    (self.folder / "fibres.yaml").write_text(FIBRES)
+                    words = [{"stand_in.yaml": "fibres.yaml", "hertz": "beam"}.get(word, word) for word in words]
                 if words[0] == "plot" and {"loops", "hinges", "worst"} & set(words):  # needs yielding parts
                     (self.folder / "yields.yaml").write_text(YIELDS)
                     self.done(part("POUNDING_PROGRAM"), "run", "yields.yaml", "-q", "-o", "yields.h5")
