@@ -518,7 +518,7 @@ TEST(TurningFrame, TrussesTurnToo) {
   u *= 1.1;  // further: to (-4.7, 2.9)
   const double stretch = std::hypot(4.7, 2.9) - 5, force = 1e7 / 5 * stretch;
   ASSERT_EQ(s.forces.components.size(), 6u);
-  VectorXd forces = s.forces.turned(u);
+  VectorXd forces = s.forces.nonlinear(u, {});
   if (s.forces.rows.rows() > 0) forces += s.forces.rows * u + s.forces.at_rest;
   const VectorXd ends = forces.head(6);
   EXPECT_NEAR(ends[0], -force, 1e-6 * std::abs(force));

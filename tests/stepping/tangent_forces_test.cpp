@@ -34,6 +34,7 @@ class Remembered final : public TangentForces {
   }
   void record_stage(Motion&, const VectorXd&, double) const override {}
   bool accept(Motion&, double) const override { return false; }
+  VectorXd member_forces(const Motion&, double) const override { return {}; }
   Energy energy(const Motion&, const VectorXd& u) const override { return {forces_.energy(u), 0}; }
 
  private:

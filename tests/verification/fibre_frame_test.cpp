@@ -70,10 +70,11 @@ Structure rc_frame(const FrameOptions& o) {
   FrameModel model = make_frame_model(grid);
   model.geometry = o.geometry;
   model.gravity = true;
+  const auto options = std::make_shared<const FibreMemberOptions>();
   for (int member = 0; member < model.frame.members(); ++member) {
     const auto [start, end] = model.frame.ends(member);
     const bool is_column = model.frame.position(start).x() == model.frame.position(end).x();
-    model.fibres.push_back({member, is_column ? column : beam, {}});
+    model.fibres.push_back({member, is_column ? column : beam, options});
   }
   return make_structure(std::move(model));
 }

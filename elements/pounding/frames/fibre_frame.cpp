@@ -2,8 +2,10 @@
 
 #include <Eigen/SparseLU>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -40,9 +42,19 @@ MemberGeometry geometry_of(FrameGeometry geometry) {
 struct FibreFrame::States final : TangentForces::Motion {
   std::vector<FibreMember::State> accepted;
   std::vector<FibreMember::Iterate> begin, trial;
+  // Basic forces of all members: of the stages of the step by time [s], and at the beginning, middle and end of the last
+  // accepted step.
+  std::vector<std::pair<double, VectorXd>> stages;
+  std::array<VectorXd, 3> forces;
 
+  VectorXd forces_of(const std::vector<FibreMember::Iterate>& iterates) const {
+    VectorXd all(6 * static_cast<Eigen::Index>(iterates.size()));
+    for (std::size_t i = 0; i < iterates.size(); ++i)
+      all.segment<6>(6 * static_cast<Eigen::Index>(i)) = iterates[i].linearized_forces();
+    return all;
+  }
   void archive(Archive& archive) override {
-    archive(accepted);
+    archive(accepted, forces[0], forces[1], forces[2]);
     for (FibreMember::Iterate& iterate : begin) {
       archive.raw(iterate.forces.data(), sizeof iterate.forces);
       archive.raw(iterate.deformations.data(), sizeof iterate.deformations);
@@ -86,7 +98,7 @@ void FibreFrame::take_members(const FrameModel& model, const AssembledFrame& ass
       refuse(what + "a member of fibres yields along its length; remove its hinges");
     if (frame.fixed_end_forces(number, model.has_gravity()).any())
       refuse(what + "a member of fibres has no load between its ends; divide it into parts, or load its nodes");
-    FibreMemberOptions own = fibres.options;
+    FibreMemberOptions own = *fibres.options;
     own.geometry = geometry_of(model.geometry);
     own.axial_force = beam.axial_force();
     numbers_.push_back(number);
@@ -95,20 +107,24 @@ void FibreFrame::take_members(const FrameModel& model, const AssembledFrame& ass
                         MemberUnknowns(assembled, start, end)});
     take(number, members_.back().unknowns);
   }
-  if (model.geometry == FrameGeometry::corotational) {
-    const std::vector<CorotationalMember> all = corotational_members(frame);
-    for (int number = 0; number < frame.members(); ++number) {
-      if (std::ranges::find(numbers_, number) != numbers_.end()) continue;
-      const CorotationalMember& m = all[static_cast<std::size_t>(number)];
-      turning_.push_back({CorotationalBeam::of(m, assembled), MemberUnknowns(assembled, m.start, m.end)});
-      take(number, turning_.back().unknowns);
-    }
+  const std::vector<CorotationalMember> all = corotational_members(frame);
+  places_.assign(all.size(), 0);
+  for (std::size_t i = 0; i < numbers_.size(); ++i) places_[static_cast<std::size_t>(numbers_[i])] = static_cast<int>(i);
+  for (int number = 0; number < frame.members(); ++number) {
+    if (std::ranges::find(numbers_, number) != numbers_.end()) continue;
+    const CorotationalMember& m = all[static_cast<std::size_t>(number)];
+    places_[static_cast<std::size_t>(number)] = -1 - static_cast<int>(elastic_.size());
+    elastic_.push_back({frame.beam(number), {}, MemberUnknowns(assembled, m.start, m.end)});
+    if (model.geometry != FrameGeometry::corotational) continue;
+    elastic_.back().turning = CorotationalBeam::of(m, assembled);
+    take(number, elastic_.back().unknowns);
   }
   const int size = assembled.size();
   others_ = assembled.stiffness - sparse_matrix(size, size, taken) + 0 * sparse_matrix(size, size, pattern);
   others_.makeCompressed();
   for (Member& member : members_) member.unknowns.find_places(others_);
-  for (Turning& member : turning_) member.unknowns.find_places(others_);
+  for (Elastic& member : elastic_)
+    if (member.turning) member.unknowns.find_places(others_);
 }
 
 std::unique_ptr<TangentForces::Motion> FibreFrame::start() const { return std::make_unique<States>(*at_rest_); }
@@ -116,6 +132,7 @@ std::unique_ptr<TangentForces::Motion> FibreFrame::start() const { return std::m
 void FibreFrame::begin_step(Motion& motion) const {
   States& states = static_cast<States&>(motion);
   states.trial = states.begin;
+  states.stages.clear();
 }
 
 // Forces and tangent at total displacements q.
@@ -134,8 +151,9 @@ double FibreFrame::add(States& states, const VectorXd& q, VectorXd& force,
     member.unknowns.add_force(on_nodes, force);
     member.unknowns.add_to(tangent.valuePtr(), stiffness);
   }
-  for (const Turning& member : turning_) {
-    const CorotationalBeam::Response response = member.beam.evaluate(member.unknowns.displacements(q), stiffness);
+  for (const Elastic& member : elastic_) {
+    if (!member.turning) continue;
+    const CorotationalBeam::Response response = member.turning->evaluate(member.unknowns.displacements(q), stiffness);
     member.unknowns.add_force(response.force, force);
     member.unknowns.add_to(tangent.valuePtr(), stiffness);
   }
@@ -157,12 +175,21 @@ void FibreFrame::record_stage(Motion& motion, const VectorXd& u, double time) co
     members_[i].beam.update(states.trial[i], members_[i].unknowns.displacements(q));
     members_[i].beam.record_stage(states.trial[i], time);
   }
+  states.stages.emplace_back(time, states.forces_of(states.trial));
 }
 
 bool FibreFrame::accept(Motion& motion, double min_reversal) const {
   States& states = static_cast<States&>(motion);
   const double smallest = min_reversal * std::max(states.largest_strain(members_), smallest_strain);
   bool reversed = false;
+  if (!states.stages.empty()) {
+    const auto middle = std::ranges::find(states.stages, 0.5 * states.stages.back().first, [](const auto& stage) { return stage.first; });
+    states.forces[0] = states.forces[2];
+    states.forces[2] = states.stages.back().second;
+    states.forces[1] = middle != states.stages.end() ? middle->second : VectorXd(0.5 * (states.forces[0] + states.forces[2]));
+  } else {
+    states.forces.fill(states.forces_of(states.trial));
+  }
   for (std::size_t i = 0; i < members_.size(); ++i)
     reversed = members_[i].beam.accept(states.accepted[i], states.trial[i], smallest) || reversed;
   if (reversed)
@@ -176,9 +203,45 @@ bool FibreFrame::accept(Motion& motion, double min_reversal) const {
   return reversed;
 }
 
+VectorXd FibreFrame::member_forces(const Motion& motion, double s) const {
+  const States& states = static_cast<const States&>(motion);
+  return (1 - s) * (1 - 2 * s) * states.forces[0] + 4 * s * (1 - s) * states.forces[1] +
+         s * (2 * s - 1) * states.forces[2];
+}
+
+Vector12 FibreFrame::end_forces(int member, const VectorXd& q, const VectorXd& in_members) const {
+  const int place = places_[static_cast<std::size_t>(member)];
+  if (place >= 0) {
+    const Member& of = members_[static_cast<std::size_t>(place)];
+    return of.beam.end_forces(in_members.segment<6>(6 * place), of.unknowns.displacements(q));
+  }
+  const Elastic& of = elastic_[static_cast<std::size_t>(-1 - place)];
+  const Vector12 u = of.unknowns.displacements(q);
+  return of.turning ? of.turning->end_forces(u) : of.beam.end_forces(u);
+}
+
+Vector12 FibreFrame::nodal_forces(int member, const VectorXd& q, const VectorXd& in_members) const {
+  const int place = places_[static_cast<std::size_t>(member)];
+  if (place >= 0) {
+    const Member& of = members_[static_cast<std::size_t>(place)];
+    return of.beam.nodal_forces(in_members.segment<6>(6 * place), of.unknowns.displacements(q));
+  }
+  const Elastic& of = elastic_[static_cast<std::size_t>(-1 - place)];
+  const Vector12 u = of.unknowns.displacements(q);
+  return of.turning ? of.turning->evaluate(u).force : Vector12(of.beam.stiffness() * u);
+}
+
+Eigen::Matrix3d FibreFrame::axes(int member, const VectorXd& q) const {
+  const int place = places_[static_cast<std::size_t>(member)];
+  if (place >= 0) refuse("a member of fibres has no load between its ends, which its axes would turn");
+  const Elastic& of = elastic_[static_cast<std::size_t>(-1 - place)];
+  return of.turning ? of.turning->axes(of.unknowns.displacements(q)) : of.beam.axes();
+}
+
 double FibreFrame::elastic_energy(const VectorXd& q) const {
   double sum = 0.5 * q.dot(others_ * q) - load_.dot(q);
-  for (const Turning& member : turning_) sum += member.beam.evaluate(member.unknowns.displacements(q)).energy;
+  for (const Elastic& member : elastic_)
+    if (member.turning) sum += member.turning->evaluate(member.unknowns.displacements(q)).energy;
   for (const Member& member : members_) sum += member.beam.potential(member.unknowns.displacements(q));
   return sum;
 }

@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -31,7 +32,15 @@ class FibreFrame final : public TangentForces {
                    Eigen::SparseMatrix<double>& tangent) const override;
   void record_stage(Motion& motion, const Eigen::VectorXd& u, double time) const override;
   bool accept(Motion& motion, double min_reversal) const override;
+  Eigen::VectorXd member_forces(const Motion& motion, double s) const override;
   Energy energy(const Motion& motion, const Eigen::VectorXd& u) const override;
+
+  /// Forces of a member of the frame at total displacements q and these forces in the members of fibres: on its ends in
+  /// local axes, which rotate with it if the frame is corotational; on its nodes in global axes [N], [N m].
+  Vector12 end_forces(int member, const Eigen::VectorXd& q, const Eigen::VectorXd& in_members) const;
+  Vector12 nodal_forces(int member, const Eigen::VectorXd& q, const Eigen::VectorXd& in_members) const;
+  /// Local axes of an elastic member, rotated with it, as rows.
+  Eigen::Matrix3d axes(int member, const Eigen::VectorXd& q) const;
 
   /// Members of fibres, by their number in the frame.
   std::span<const int> members() const { return numbers_; }
@@ -44,8 +53,9 @@ class FibreFrame final : public TangentForces {
     FibreMember beam;
     MemberUnknowns unknowns;
   };
-  struct Turning {
-    CorotationalBeam beam;
+  struct Elastic {
+    Beam beam;
+    std::optional<CorotationalBeam> turning;  // in a corotational frame
     MemberUnknowns unknowns;
   };
 
@@ -58,7 +68,8 @@ class FibreFrame final : public TangentForces {
 
   std::vector<int> numbers_;
   std::vector<Member> members_;
-  std::vector<Turning> turning_;            // elastic members of a corotational frame
+  std::vector<Elastic> elastic_;
+  std::vector<int> places_;                 // of each member of the frame: its index, or -1 - index in elastic_
   Eigen::SparseMatrix<double> others_;      // stiffness of everything else, in the pattern of the tangent
   Eigen::VectorXd load_, rest_;             // at rest
   std::shared_ptr<const States> at_rest_;

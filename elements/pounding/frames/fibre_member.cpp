@@ -380,8 +380,13 @@ double FibreMember::potential(const Vector12& u) const {
   return 0.5 * ends.dot(chord_stiffness(options_.axial_force, length_, is_plane_) * ends);
 }
 
-Vector12 FibreMember::end_forces(const Iterate& iterate, const Vector12& u) const {
-  const Vector6 q = iterate.linearized_forces();
+Vector12 FibreMember::nodal_forces(const Vector6& q, const Vector12& u) const {
+  if (corotation_ && is_plane_) return corotation_->nodal_forces(corotation_->plane(u), q.head<3>());
+  if (corotation_) return corotation_->nodal_forces(corotation_->space(u), u, to_basic_in_space.transpose() * q);
+  return to_local_.transpose() * end_forces(q, u);
+}
+
+Vector12 FibreMember::end_forces(const Vector6& q, const Vector12& u) const {
   if (corotation_ && is_plane_) return corotation_->end_forces(corotation_->plane(u), q.head<3>());
   if (corotation_) return corotation_->end_forces(corotation_->space(u), to_basic_in_space.transpose() * q);
   return basic_of_ends(length_).transpose() * q +

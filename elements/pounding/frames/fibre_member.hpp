@@ -118,8 +118,11 @@ class FibreMember {
   double potential(const Vector12& displacements) const;
   /// Largest strain of a fibre so far [-].
   double largest_strain(const State& state) const { return state.largest_strain; }
-  /// Forces and moments on both ends in local axes, which rotate with the chord if corotational.
-  Vector12 end_forces(const Iterate& iterate, const Vector12& displacements) const;
+  /// Forces and moments on both ends for basic forces [N], [N m], in local axes, which rotate with the chord if
+  /// corotational.
+  Vector12 end_forces(const Iterate::Vector6& forces, const Vector12& displacements) const;
+  /// Forces on the nodes, global axes.
+  Vector12 nodal_forces(const Iterate::Vector6& forces, const Vector12& displacements) const;
   /// Tangent of the undeformed state without axial force at rest, global axes.
   Matrix12 initial_stiffness() const;
 

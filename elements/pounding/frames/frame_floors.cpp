@@ -78,13 +78,13 @@ double lowest_support(const FrameModel& model) {
 }
 
 // Forces along x, and y in space, on the upper ends of the members and springs that cross the cut, as factors of the
-// displacements of all nodes; without members with large rotations.
+// displacements of all nodes; without members whose forces are nonlinear.
 Eigen::SparseMatrix<double, Eigen::RowMajor> shear_through(const FrameModel& model, const std::vector<bool>& above) {
   const Frame& frame = model.frame;
   const int directions = frame.dimension() - 1, dofs = static_cast<int>(dofs_of(frame.dimension()).size());
   const auto index = [&](int node, Dof dof) { return node * dofs + frame_dofs::place(frame.dimension(), dof); };
   std::vector<Eigen::Triplet<double>> entries;
-  for (int member = 0; model.geometry != FrameGeometry::corotational && member < frame.members(); ++member) {
+  for (int member = 0; model.is_linear() && member < frame.members(); ++member) {
     const auto [start, end] = frame.ends(member);
     if (above[start] == above[end]) continue;
     const Beam& beam = frame.beam(member);

@@ -333,10 +333,9 @@ void let_hinges_yield(const FrameModel& model, const AssembledFrame& frame, cons
                       const std::vector<std::vector<bool>>& above, Structure& s) {
   const std::vector<Hinge>& hinges = model.frame.hinges();
   if (hinges.empty()) return;
-  if (model.geometry == FrameGeometry::corotational)
-    refuse(fmt::format(
-        "hinge {}: hinges are not available with geometry: corotational; type geometry: p_delta, or remove the hinges",
-        model.frame.hinge_name(0)));
+  if (!model.is_linear())
+    refuse(fmt::format("hinge {}: hinges are not available with {}; {}", model.frame.hinge_name(0),
+                       model.nonlinear_key(), instead_of_nonlinear(model, "the hinges")));
   if (s.supports.size() > 1)
     refuse(
         fmt::format("hinge {}: a frame with hinges needs the same motion at all supports; remove their delay and "

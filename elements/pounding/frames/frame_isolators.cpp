@@ -159,10 +159,10 @@ void add_part_reactions(const FrameModel& model, const Frame::Reactions& reactio
 void place_isolators(FrameModel& model) {
   if (model.isolators.empty()) return;
   const FrameIsolator& first = model.isolators.front();
-  if (model.geometry == FrameGeometry::corotational)
-    refuse_isolator(
-        model, first,
-        "isolators are not available with geometry: corotational; type geometry: p_delta, or remove the isolators");
+  if (!model.is_linear())
+    refuse_isolator(model, first,
+                    fmt::format("isolators are not available with {}; {}", model.nonlinear_key(),
+                                instead_of_nonlinear(model, "the isolators")));
   if (model.supports.size() > 1)
     refuse_isolator(model, first,
                     "a frame on isolators needs the same motion at all supports; remove their delay and ground_motion, "

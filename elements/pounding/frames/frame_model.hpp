@@ -82,6 +82,14 @@ struct FrameModel {
   /// Number of the first master added by make_floor_rigid in space; -1 if there are none.
   int first_master = -1;
 
+  /// Key that makes the forces of members nonlinear: "geometry: corotational" or "fibres"; empty if they are linear.
+  std::string nonlinear_key() const {
+    if (!fibres.empty()) return "fibres";
+    return geometry == FrameGeometry::corotational ? "geometry: corotational" : "";
+  }
+  /// True if the forces of its members are linear in the displacements, apart from hinges.
+  bool is_linear() const { return nonlinear_key().empty(); }
+
   /// Moves the whole frame including its floors; see Frame::move_by.
   void move_by(const Eigen::Vector3d& shift);
   /// Number of nodes without the masters of rigid floors in space.

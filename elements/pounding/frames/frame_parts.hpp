@@ -1,6 +1,8 @@
 #pragma once
 /// Steps from a FrameModel to a Structure: supports, floors, hinges and isolators.
 
+#include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -9,6 +11,12 @@
 #include <pounding/structures/structure.hpp>
 
 namespace pounding {
+
+/// What to type instead of the nonlinear key of a model, or of these parts.
+inline std::string instead_of_nonlinear(const FrameModel& model, std::string_view parts) {
+  return std::string(model.fibres.empty() ? "type geometry: p_delta" : "remove fibres") + ", or remove " +
+         std::string(parts);
+}
 
 /// Adds the supports that move together, and the default list of reported nodes. Throws std::invalid_argument for a
 /// frame without supports, for properties that require supports in a free frame, and for a support motion out of the

@@ -104,7 +104,7 @@ NodeReport make_node_report(const FrameModel& model, const AssembledFrame& frame
 }
 
 Frame::Reactions make_reactions(const FrameModel& model, const AssembledFrame& frame) {
-  return model.frame.reactions(model.held_nodes(), frame, model.has_gravity(), !turns(model));
+  return model.frame.reactions(model.held_nodes(), frame, model.has_gravity(), model.is_linear());
 }
 
 // Loads and geometric effects included in the forces, such as the weight on a column.
@@ -139,7 +139,7 @@ InternalForces make_internal_forces(const FrameModel& model, const AssembledFram
   report.at_rest = Eigen::VectorXd::Zero(first_reaction + reactions.at_rest.size());
   for (int member = 0; member < model.frame.members(); ++member) {
     report.members.push_back(model.frame.member_name(member));
-    if (turns(model)) continue;
+    if (!model.is_linear()) continue;
     const Eigen::SparseMatrix<double, Eigen::RowMajor> all = model.frame.end_force_rows(member, frame);
     for (int j = 0; j < places; ++j) add(member * places + j, all, report.places[j]);
     if (!model.is_loaded()) continue;
@@ -154,14 +154,42 @@ InternalForces make_internal_forces(const FrameModel& model, const AssembledFram
   return report;
 }
 
-// Reports of members with large rotations; throws for properties that are not supported with them.
-void let_turn(const std::shared_ptr<const FrameModel>& model, const std::shared_ptr<const CorotationalFrame>& turning,
-              const Frame::Reactions& reactions, Structure& s) {
+// Forces of one member whose forces are nonlinear, from the displacements q of the frame and the forces in members with
+// a memory (TangentForces::member_forces).
+struct MemberResponse {
+  using Force = std::function<Vector12(int member, const Eigen::VectorXd& q, const Eigen::VectorXd& in_members)>;
+  Force on_ends;   // local axes
+  Force on_nodes;  // global axes
+  std::function<Eigen::Matrix3d(int member, const Eigen::VectorXd& q)> axes;
+};
+
+MemberResponse response_of(const std::shared_ptr<const CorotationalFrame>& frame) {
+  return {[frame](int member, const Eigen::VectorXd& q, const Eigen::VectorXd&) { return frame->end_forces(member, q); },
+          [frame](int member, const Eigen::VectorXd& q, const Eigen::VectorXd&) {
+            return frame->nodal_forces(member, q);
+          },
+          [frame](int member, const Eigen::VectorXd& q) { return frame->axes(member, q); }};
+}
+
+MemberResponse response_of(const std::shared_ptr<const FibreFrame>& frame) {
+  return {[frame](int member, const Eigen::VectorXd& q, const Eigen::VectorXd& in_members) {
+            return frame->end_forces(member, q, in_members);
+          },
+          [frame](int member, const Eigen::VectorXd& q, const Eigen::VectorXd& in_members) {
+            return frame->nodal_forces(member, q, in_members);
+          },
+          [frame](int member, const Eigen::VectorXd& q) { return frame->axes(member, q); }};
+}
+
+// Reports of members whose forces are nonlinear; throws for properties that are not supported with them.
+void report_nonlinear(const std::shared_ptr<const FrameModel>& model, const MemberResponse& response,
+                      const Frame::Reactions& reactions, Structure& s) {
   if (model->supports.size() > 1)
-    throw std::invalid_argument(
-        "geometry: corotational needs the same motion at all supports; remove their delay and ground_motion, or type "
-        "geometry: p_delta");
-  s.storey_shears = [model, turning, above = storey_cuts(*model)](const Eigen::VectorXd& q) {
+    throw std::invalid_argument(fmt::format(
+        "{} needs the same motion at all supports; remove their delay and ground_motion{}", model->nonlinear_key(),
+        model->fibres.empty() ? ", or type geometry: p_delta" : ", or fibres"));
+  s.storey_shears = [model, response, above = storey_cuts(*model)](const Eigen::VectorXd& q,
+                                                                   const Eigen::VectorXd& in_members) {
     const int directions = model->frame.dimension() - 1;
     Eigen::VectorXd shears = Eigen::VectorXd::Zero(static_cast<int>(above.size()) * directions);
     for (int member = 0; member < model->frame.members(); ++member) {
@@ -169,29 +197,29 @@ void let_turn(const std::shared_ptr<const FrameModel>& model, const std::shared_
       std::optional<Vector12> forces;
       for (std::size_t floor = 0; floor < above.size(); ++floor) {
         if (above[floor][start] == above[floor][end]) continue;
-        if (!forces) forces = turning->nodal_forces(member, q);
+        if (!forces) forces = response.on_nodes(member, q, in_members);
         shears.segment(static_cast<int>(floor) * directions, directions) +=
             forces->segment(above[floor][start] ? 0 : 6, directions);
       }
     }
     return shears;
   };
-  s.forces.turned = [model, turning, places = s.forces.places,
-                     to_ground = reactions.by_forces](const Eigen::VectorXd& q) {
+  s.forces.nonlinear = [model, response, places = s.forces.places, to_ground = reactions.by_forces](
+                           const Eigen::VectorXd& q, const Eigen::VectorXd& in_members) {
     const auto dofs = dofs_of(model->frame.dimension());
     const int count = static_cast<int>(dofs.size());
     Eigen::VectorXd ends(model->frame.members() * static_cast<int>(places.size()));
     Eigen::VectorXd on_nodes = Eigen::VectorXd::Zero(model->frame.nodes() * count);
     int at = 0;
     for (int member = 0; member < model->frame.members(); ++member) {
-      Vector12 forces = turning->end_forces(member, q);
-      if (model->is_loaded()) {  // member loads keep their directions in space
-        const Eigen::Matrix3d turn = turning->axes(member, q) * model->frame.beam(member).axes().transpose();
-        const Vector12 held = model->frame.fixed_end_forces(member, model->has_gravity());
+      Vector12 forces = response.on_ends(member, q, in_members);
+      const Vector12 held = model->frame.fixed_end_forces(member, model->has_gravity());
+      if (model->is_loaded() && held.any()) {  // member loads keep their directions in space
+        const Eigen::Matrix3d turn = response.axes(member, q) * model->frame.beam(member).axes().transpose();
         for (const int i : {0, 3, 6, 9}) forces.segment<3>(i) += turn * held.segment<3>(i);
       }
       for (const int place : places) ends[at++] = forces[place];
-      const Vector12 nodal = turning->nodal_forces(member, q);
+      const Vector12 nodal = response.on_nodes(member, q, in_members);
       const auto [start, end] = model->frame.ends(member);
       for (int j = 0; j < count; ++j) {
         on_nodes[start * count + j] += nodal[static_cast<int>(dofs[j])];
@@ -251,16 +279,18 @@ Structure make_structure(FrameModel given) {
   }
   // Also reports the unsupported node if there is one.
   Eigen::VectorXd rest = model->is_free ? Eigen::VectorXd::Zero(frame->size()) : model->frame.rest(*frame);
-  std::shared_ptr<const CorotationalFrame> turning;
+  std::optional<MemberResponse> response;
   if (!model->fibres.empty()) {
     const auto forces = std::make_shared<const FibreFrame>(*model, *frame);
     rest = forces->at_rest();
+    response = response_of(forces);
     s.tangent = forces;
   } else if (turns(*model)) {
-    turning = std::make_shared<const CorotationalFrame>(*frame, corotational_members(model->frame));
+    const auto turning = std::make_shared<const CorotationalFrame>(*frame, corotational_members(model->frame));
     const auto forces = std::make_shared<const CorotationalForces>(turning, frame->load_at_rest);
     rest = forces->at_rest();
     frame->stiffness = forces->stiffness();
+    response = response_of(turning);
     s.elastic = forces;
   }
   s.mass = frame->mass;
@@ -273,7 +303,7 @@ Structure make_structure(FrameModel given) {
   s.forces = make_internal_forces(*model, *frame, reactions);
   s.reported_members = model->reported_members;
   s.supports = make_supports(*model, *frame, model->supports, s.forces, reactions);
-  if (turning) let_turn(model, turning, reactions, s);
+  if (response) report_nonlinear(model, *response, reactions, s);
   let_hinges_yield(*model, *frame, reactions, model->is_free ? std::vector<std::vector<bool>>() : storey_cuts(*model),
                    s);
   let_isolators_yield(*model, *frame, reactions, s);
@@ -281,10 +311,10 @@ Structure make_structure(FrameModel given) {
   if (!model->is_free)
     s.supports_along = [model, frame, forces = s.forces, reactions](const Vector3d& direction) {
       const std::vector<FrameSupport> apart = apart_along(*model, direction);
-      if (turns(*model) && apart.size() > 1)
-        throw std::invalid_argument(
-            "a wave moves the supports of a frame at different times, but geometry: corotational needs the same motion "
-            "at all supports; type geometry: p_delta");
+      if (!model->is_linear() && apart.size() > 1)
+        throw std::invalid_argument(fmt::format(
+            "a wave moves the supports of a frame at different times, but {} needs the same motion at all supports; {}",
+            model->nonlinear_key(), instead_of_nonlinear(*model, "the wave")));
       if (!(model->frame.hinges().empty() && model->isolators.empty() && model->uplifts.empty()) && apart.size() > 1)
         throw std::invalid_argument(
             "a wave moves the supports of a frame at different times, but a frame with hinges, isolators or springs "

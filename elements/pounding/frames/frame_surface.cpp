@@ -326,8 +326,8 @@ ContactPoint FrameSurface::on_arm(int node, const Vector3d& at, double mass) con
 }
 
 ContactPoint FrameSurface::on_member(int member, double along, const Vector3d& at, double mass) const {
-  if (model_->geometry == FrameGeometry::corotational)
-    refuse("with geometry: corotational, a member cannot be hit between its ends; add a node there");
+  if (!model_->is_linear())
+    refuse(fmt::format("with {}, a member cannot be hit between its ends; add a node there", model_->nonlinear_key()));
   for (const Hinge& hinge : model_->frame.hinges())
     if (hinge.member == member) refuse(beside_hinge(model_->frame, member, along));
   const Frame::PointOnMember on = model_->frame.point_on_member(member, along, *assembled_);

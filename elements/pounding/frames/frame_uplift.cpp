@@ -50,9 +50,10 @@ double preload_of(const FrameModel& model, const FrameUplift& uplift, const Row&
 void place_uplifts(FrameModel& model) {
   if (model.uplifts.empty()) return;
   const FrameUplift& first = model.uplifts.front();
-  if (model.geometry == FrameGeometry::corotational)
+  if (!model.is_linear())
     refuse_uplift(model, first,
-                  "acts_in: compression is not available with geometry: corotational; type geometry: p_delta");
+                  fmt::format("acts_in: compression is not available with {}; {}", model.nonlinear_key(),
+                              instead_of_nonlinear(model, "acts_in")));
   if (model.is_free) refuse_uplift(model, first, "a free frame has no supports; remove the spring");
   if (!model.is_loaded())
     refuse_uplift(model, first,

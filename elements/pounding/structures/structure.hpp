@@ -183,6 +183,10 @@ struct NodeReport {
   std::vector<std::vector<Row>> motion;  ///< of each node in each direction
 };
 
+/// Reported forces from displacements, and from the forces in members with a memory, which may be empty.
+using NonlinearReport =
+    std::function<Eigen::VectorXd(const Eigen::VectorXd& displacement, const Eigen::VectorXd& in_members)>;
+
 /// End forces of all members, in their local axes, and reactions of the ground at supported nodes, in global axes: the
 /// forces that it exerts on the structure, without damping forces.
 struct InternalForces {
@@ -197,9 +201,10 @@ struct InternalForces {
   Eigen::VectorXd at_rest;  ///< contribution of loads with the unknowns at rest, per row [N], [N m]
   /// [row, part]: direct contribution of yielding parts, as factors of their forces; empty if there is none.
   Eigen::SparseMatrix<double, Eigen::RowMajor> by_yielding;
-  /// Forces of members with large rotations, to be added to the two above, as a function of q + at_rest of the
-  /// structure; empty if there are none.
-  std::function<Eigen::VectorXd(const Eigen::VectorXd& displacement)> turned;
+  /// Forces of members that are nonlinear in the displacements, to be added to the two above: a function of q + at_rest
+  /// of the structure, and of the forces in members with a memory (TangentForces::member_forces). Empty if there are
+  /// none.
+  NonlinearReport nonlinear;
 };
 
 /// A section of fibres, for reports and plausibility warnings.
@@ -281,9 +286,8 @@ struct Structure {
   NodeReport nodes;
   InternalForces forces;              ///< of a frame
   std::vector<int> reported_members;  ///< indices of the members with recorded end forces
-  /// Storey shears of members with large rotations, floor by floor, to be added to those of the floors; function of q +
-  /// at_rest. Empty if there are none.
-  std::function<Eigen::VectorXd(const Eigen::VectorXd& displacement)> storey_shears;
+  /// Storey shears of such members, floor by floor, to be added to those of the floors; as InternalForces::nonlinear.
+  NonlinearReport storey_shears;
   Geometry geometry;
   std::vector<FibreSectionReport> fibre_sections;  ///< of a frame, in the order of its members
   /// Translations of all nodes of the geometry, nodes x 3; empty without geometry.

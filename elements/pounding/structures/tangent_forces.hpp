@@ -50,6 +50,9 @@ class TangentForces {
   /// Accepts the iterate as the end of the step. Fibres follow reversals inside the step of at least `min_reversal`
   /// times the largest strain so far. True if any did: then the forces at the end change.
   virtual bool accept(Motion& motion, double min_reversal) const = 0;
+  /// Forces in the members at a fraction s (0 to 1) of the last accepted step, from which reported forces follow
+  /// together with the displacements: parabola through beginning, middle and end.
+  virtual Eigen::VectorXd member_forces(const Motion& motion, double s) const = 0;
   /// Energies at the accepted state with displacements u.
   virtual Energy energy(const Motion& motion, const Eigen::VectorXd& u) const = 0;
 };

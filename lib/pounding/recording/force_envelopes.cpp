@@ -41,10 +41,10 @@ ForceEnvelopes::ForceEnvelopes(const Model& model, const GroundPlan& plan, const
     springs += static_cast<int>(s.yielding.size());
     yields_ = yields_ || yields(s);
     every_step_ = every_step_ || s.is_free || s.rigid_motions > 0;
-    turns_ = turns_ || s.forces.turned;
+    is_nonlinear_ = is_nonlinear_ || s.forces.nonlinear;
     if (s.dimension > 1) add_frame(k);
   }
-  every_step_ = every_step_ || (turns_ && yields_);
+  every_step_ = every_step_ || (is_nonlinear_ && yields_);
   if (!with_links && !model.links.empty()) {
     add_block(-1, false, approaches(model, plan));
     results_.approach = blocks_.back().extremes;
@@ -73,13 +73,13 @@ void ForceEnvelopes::add_frame(int k) {
       by_force.tail(end->point.reactions.rows()) += end->point.reactions * (sign * link.direction);
     }
   }
-  const bool turned = static_cast<bool>(s.forces.turned);
+  const bool is_nonlinear = static_cast<bool>(s.forces.nonlinear);
   const auto loaded = [&](int quantity) {
-    return turned ||
+    return is_nonlinear ||
            std::any_of(added.begin(), added.end(), [&](const auto& each) { return each.second[quantity] != 0; });
   };
-  if (!turned) add_block(k, false, internal_forces(model_, k, plan_, std::not_fn(loaded), true));
-  if (!turned && added.empty()) return;
+  if (!is_nonlinear) add_block(k, false, internal_forces(model_, k, plan_, std::not_fn(loaded), true));
+  if (!is_nonlinear && added.empty()) return;
   add_block(k, true, internal_forces(model_, k, plan_, loaded, false));
   const std::vector<LinearQuantities::Place>& places = blocks_.back().quantities.places();
   for (const auto& [link, by_force] : added) {
@@ -138,18 +138,20 @@ void ForceEnvelopes::evaluate(const Block& block, double time, Eigen::VectorXd& 
     add_yielding(block, springs_, values);
     add_yielding(block, spring_rates_, rates);
   }
-  if (block.structure < 0 || !model_.structures[block.structure].forces.turned) return;
+  if (block.structure < 0 || !model_.structures[block.structure].forces.nonlinear) return;
   const Structure& s = model_.structures[block.structure];
   Eigen::VectorXd q = u_.segment(first_unknown_[block.structure], s.size());
   if (s.at_rest.size() > 0) q += s.at_rest;
-  const auto turned = [&](const Eigen::VectorXd& at) {
+  const int first = first_unknown_[block.structure];
+  const auto forces_at = [&](const Eigen::VectorXd& at, double when) {
+    const Eigen::VectorXd in_members = stepper_.member_forces(first, when);
     Eigen::VectorXd forces(values.size());
-    forces << s.storey_shears(at), s.forces.turned(at);
+    forces << s.storey_shears(at, in_members), s.forces.nonlinear(at, in_members);
     return forces;
   };
-  const Eigen::VectorXd forces = turned(q);
+  const Eigen::VectorXd forces = forces_at(q, time);
   values += forces;
-  rates += (turned(q + difference * v_.segment(first_unknown_[block.structure], s.size())) - forces) / difference;
+  rates += (forces_at(q + difference * v_.segment(first, s.size()), time + difference) - forces) / difference;
 }
 
 // From the motion in u_ and v_.
@@ -181,7 +183,7 @@ void ForceEnvelopes::step(const StepMotion& step) {
   if (every_step_) {
     take_begin(step);
     start_from(begin);
-  } else if (turns_) {
+  } else if (is_nonlinear_) {
     if (!pressed && step.h > 0) {
       const double middle = step.begin_time + 0.5 * step.h;
       stepper_.interpolate(middle, u_, v_);
@@ -205,7 +207,7 @@ void ForceEnvelopes::step(const StepMotion& step) {
   if (every_step_) stepper_.end_minus();  // updates the whole state with which the next step begins
   stepper_.end_minus(u_, v_);
   take_springs(end.time, begin.time);
-  if (every_step_ || turns_) return close(end, end.time, pressed);
+  if (every_step_ || is_nonlinear_) return close(end, end.time, pressed);
   for (Block& block : blocks_)
     if (block.apart) follow(block, begin.time, end.time, pressed);
 }

@@ -84,7 +84,7 @@ class ForceEnvelopes {
   bool every_step_ = false;
   bool yields_ = false;  // parts of frames may yield, which adds to forces directly
   // members rotate by large angles: their forces vary more than the displacements, and each step has a knot inside
-  bool turns_ = false;
+  bool is_nonlinear_ = false;
   Knots knots_;
   bool jumped_ = false;          // a discontinuity at the end of the last step
   bool acts_ = false;            // yielding parts of frames have forces in the current step

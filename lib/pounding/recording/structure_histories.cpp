@@ -133,17 +133,19 @@ void StructureHistories::sample_frames(const OutputInstant& at) {
     ground.velocity(at.time, [&](std::size_t q, int axis, double amount) { v += amount * influence(q, axis); });
     ground.acceleration(at.ground, [&](std::size_t q, int axis, double amount) { a += amount * influence(q, axis); });
     const std::size_t shears = histories_[k].storey_shear.size();
-    append(structure, frame_quantities(s, reported_[k], u, v, a), forces_beside(structure, u), at);
-    if (s.storey_shears) add(s.storey_shears(u), histories_[k].storey_shear, shears);
+    const Eigen::VectorXd in_members = stepper_.member_forces(first, at.time);
+    append(structure, frame_quantities(s, reported_[k], u, v, a), forces_beside(structure, u, in_members), at);
+    if (s.storey_shears) add(s.storey_shears(u, in_members), histories_[k].storey_shear, shears);
     if (s.supports.size() > 1) add_enforced(structure, at);
   }
 }
 
-// Contribution of large rotations and yielding parts to the reported forces.
-Eigen::VectorXd StructureHistories::forces_beside(int k, const Eigen::VectorXd& u) const {
+// Contribution of nonlinear members and yielding parts to the reported forces.
+Eigen::VectorXd StructureHistories::forces_beside(int k, const Eigen::VectorXd& u,
+                                                 const Eigen::VectorXd& in_members) const {
   const InternalForces& of = model_.structures[k].forces;
   Eigen::VectorXd all = Eigen::VectorXd::Zero(of.rows.rows());
-  if (of.turned) all = of.turned(u);
+  if (of.nonlinear) all = of.nonlinear(u, in_members);
   if (of.by_yielding.size() > 0)
     if (const Eigen::VectorXd yielding = yielding_forces(k); !yielding.isZero(0)) all += of.by_yielding * yielding;
   return all(reported_[k]);

@@ -38,7 +38,7 @@ class StructureHistories {
   void sample_frames(const OutputInstant& at);
   void take_motion(const OutputInstant& at);
   void append(int structure, const FrameQuantities& of, const Eigen::VectorXd& beside, const OutputInstant& at);
-  Eigen::VectorXd forces_beside(int structure, const Eigen::VectorXd& u) const;
+  Eigen::VectorXd forces_beside(int structure, const Eigen::VectorXd& u, const Eigen::VectorXd& in_members) const;
   Eigen::VectorXd yielding_forces(int structure) const;
   double device_force(int structure, std::size_t part, const OutputInstant& at) const;
   void add_fixed_end_forces(int structure, std::size_t from, const OutputInstant& at);

@@ -121,6 +121,12 @@ class StepView {
   void interpolate_acceleration(double time, Eigen::VectorXd& a) const { output_.interpolate_acceleration(time, a); }
   /// Forces of all springs inside the last accepted step [N].
   void interpolate_springs(double time, Eigen::VectorXd& forces) const { output_.interpolate_springs(time, forces); }
+  /// Forces in the members of a structure with a memory (TangentForces::member_forces), by its first degree of freedom,
+  /// inside the last accepted step; empty for other structures.
+  Eigen::VectorXd member_forces(int first_dof, double time) const {
+    const double h = history_.kept().end.time - history_.begin().time;
+    return equations_.tangents.member_forces(first_dof, h > 0 ? (time - history_.begin().time) / h : 1);
+  }
   /// Output quantities inside the last accepted step: [quantity, u v a].
   void interpolate_outputs(double time, Eigen::MatrixXd& motion) const { output_.interpolate_outputs(time, motion); }
 

@@ -23,7 +23,7 @@ TangentParts::TangentParts(const System& system, StructureSolver& solver) : solv
     const Group& group = system.groups[static_cast<std::size_t>(s.group)];
     if (!group.tangent) continue;
     const SparseMatrix stiffness = system.stiffness.block(group.first, group.first, group.count, group.count);
-    parts_.push_back({s.group, s.first, s.count, *group.tangent, stiffness,
+    parts_.push_back({s.group, group.first, s.first, s.count, *group.tangent, stiffness,
                       split_by_mass(system.mass, group.first, group.count).massless, group.tangent->start(),
                       {}, {}, {}, {}});
   }
@@ -135,6 +135,12 @@ bool TangentParts::accept(Eigen::Ref<const VectorXd> u, double min_reversal) {
     part.accepted = part.last;
   }
   return reversed;
+}
+
+VectorXd TangentParts::member_forces(int first_dof, double s) const {
+  for (const Part& part : parts_)
+    if (part.first_dof == first_dof) return part.forces.member_forces(*part.motion, s);
+  return {};
 }
 
 TangentForces::Energy TangentParts::energy(Eigen::Ref<const VectorXd> u) const {

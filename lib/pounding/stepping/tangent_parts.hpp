@@ -43,6 +43,8 @@ class TangentParts {
   /// TangentForces::accept.
   bool accept(Eigen::Ref<const Eigen::VectorXd> u, double min_reversal);
 
+  /// TangentForces::member_forces of the structure with this first degree of freedom; empty for others.
+  Eigen::VectorXd member_forces(int first_dof, double s) const;
   /// Stored energy beyond u.K u/2, and dissipated energy, at the accepted state with displacements u [J].
   TangentForces::Energy energy(Eigen::Ref<const Eigen::VectorXd> u) const;
   void archive(Archive& archive);
@@ -56,7 +58,7 @@ class TangentParts {
     Eigen::VectorXd at(const Eigen::VectorXd& there) const { return force + tangent * (there - u); }
   };
   struct Part {
-    int group, first, size;  // first coordinate
+    int group, first_dof, first, size;  // first coordinate
     const TangentForces& forces;
     SparseMatrix stiffness;
     std::vector<int> massless;
