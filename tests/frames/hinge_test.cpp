@@ -220,6 +220,37 @@ TEST(Hinges, YieldAtTwoMoments) {
     }
 }
 
+// So has a law with parameters of its own for hogging: the maximum moment is 20 mrad after yield sagging, 50 mrad
+// hogging.
+TEST(Hinges, DeteriorateByParametersOfTheirSides) {
+  hysteresis::ImkBilinear law;
+  law.dp = 0.02;
+  law.dp_neg = 0.05;
+  law.dpc = 0.2;
+  Frame frame = held_beam();
+  for (const MemberEnd at : {MemberEnd::start, MemberEnd::end})
+    frame.add_hinge({.member = 0,
+                     .at = at,
+                     .yield_moment = 150e3,
+                     .hogging_moment = 250e3,
+                     .hardening = 0.02,
+                     .stiffness_factor = 10,
+                     .law = law});
+  const Structure s = made(frame);
+  const auto down = std::find(s.unknowns.begin(), s.unknowns.end(), "node 1 uz") - s.unknowns.begin();
+  for (int i = 0; i < 2; ++i) {
+    // Down with the far end level: the start hogs and the far end sags.
+    const double way = -std::copysign(1.0, s.yielding[i].deformation.dot(Eigen::VectorXd::Unit(s.size(), down)));
+    for (const bool hogs : {true, false}) {
+      LoadedSpring spring(s.yielding[i].spring());
+      const double to = hogs == (i == 0) ? way : -way, yields_at = *spring.corner(to);
+      EXPECT_NEAR(std::abs(spring->stiffness() * yields_at), hogs ? 250e3 : 150e3, 1e-6);
+      spring.load(1.01 * yields_at);
+      EXPECT_NEAR(std::abs(*spring.corner(to) - yields_at), hogs ? 0.05 : 0.02, 1e-12);
+    }
+  }
+}
+
 TEST(Hinges, AreNamedByMemberEndAndAxis) {
   Frame plane = held_beam(), space = held_beam(3);
   plane.add_hinge({.member = 1, .at = MemberEnd::end, .yield_moment = yield});

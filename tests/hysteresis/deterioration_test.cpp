@@ -35,6 +35,29 @@ L made() {
     law.kappaF = 0.4;
     law.kappaD = 0.6;
   }
+  if constexpr (requires { law.FprPos; }) {
+    law.FprPos = 0.4;
+    law.A_pinch = 0.6;
+  }
+  return law;
+}
+template <class L>
+L made_with_two_sides() {
+  L law = made<L>();
+  law.negative_yield_force = 300e3;
+  law.FmaxFy_neg = 1.05;
+  law.dp_neg = 0.04;
+  law.dpc_neg = 0.1;
+  law.FresFy_neg = 0.3;
+  law.D_neg = 0.5;
+  law.Lambda_C = 1.2;
+  law.c_S = 2;
+  if constexpr (requires { law.Lambda_A; }) law.Lambda_A = 0.6;
+  if constexpr (requires { law.FprNeg; }) {
+    law.FprNeg = 0.3;
+    law.A_pinch = 0.2;
+    law.Lambda_K.reset();  // a ripple would end it
+  }
   return law;
 }
 template <class L>
@@ -129,13 +152,75 @@ TEST(DeterioratingLoops, AgreeWithOpenSeesForOtherExponents) {
               1e-7);
 }
 
+// Reference: OpenSees 3.7.1, extrapolated in the same way; change with the step up to 1.2e-6.
+TEST(DeterioratingLoops, SupersededLawsAgreeWithOpenSeesAsItsStepsShrink) {
+  expect_loop(made<Bilin>(), cycles,
+              {254000, -252442.412, 258788.548, -253776.96, 248891.062, -243862.165, 225518.169, -211357.853, 198245.76,
+               -184703.97, 148751.869, -131879.836, 99935.4616, -84711.6269},
+              1e-7);
+  expect_loop(made<ModImkPeakOriented>(), cycles,
+              {254000, -252442.412, 259591.437, -255427.452, 249625.804, -247845.092, 234285.602, -222020.095,
+               202438.732, -200161.021, 164412.215, -151744.829, 104070.265, -94512.5504},
+              1e-7);
+  expect_loop(made<ModImkPinching>(), cycles,
+              {254000, -252442.412, 260076.687, -256231.481, 249356.207, -250432.526, 240268.218, -229371.726,
+               208985.809, -213278.551, 183220.104, -171954.931, 131367.548, -121182.212},
+              1e-7);
+}
+
+TEST(DeterioratingLoops, SupersededLawsWithTwoSidesAgreeWithOpenSees) {
+  expect_loop(made_with_two_sides<Bilin>(), {inner.begin(), inner.end() - 2},
+              {262000,      -134954.134, 266000,      -303312.665, -108811.356, -308936.5,  248743.298,
+               -265603.509, 255117.192,  -293589.445, 263132.718,  79770.2662,  216643.097, -312021.868,
+               245577.915,  -303878.872, 110042.617,  -274634.66,  50000,       -244385.749},
+              5e-7);
+  expect_loop(made_with_two_sides<ModImkPeakOriented>(), inner,
+              {262000,     -39379.6356, 265999.99,  -303309.796, -107733.615, -308933.578, 149331.179, -76011.9943,
+               258193.046, -79661.2807, 171824.794, -2338.39968, 221619.641,  -312337.959, 93879.728,  -181883.342,
+               21334.7909, -285172.549, 50000,      -53915.8392, 50000,       -108948.417},
+              1e-7);
+  expect_loop(made_with_two_sides<ModImkPinching>(), inner,
+              {262000,     -11876.7321, 265999.998, -303308.617, -103308.617, -308932.377, 66655.1178, -36687.2039,
+               260690.898, -24574.044,  179958.268, -720.178625, 224494.48,   -312448.591, 42471.7953, -141402.898,
+               8344.87637, -288406.639, 50000,      -17207.9161, 50000,       -113797.547},
+              1e-7);
+}
+
+// The stiffness and the hardening of OpenSees are those of the member: K0 = 50/11 MN m/rad.
+TEST(DeterioratingLoops, BilinReducesRatiosOfTheMemberWithItsFactorN) {
+  Bilin law = made<Bilin>();
+  law.nFactor = 10;
+  expect_loop(law, inner,
+              {262000,      -106866.208, 266000,     -251519.564, -94224.5871, -262155.616, 236182.994, -100867.774,
+               252699.259,  -218969.914, 170271.51,  59059.6748,  226565.667,  -223530.332, 214652.341, -223309.344,
+               -30749.2509, -201867.642, 80604.2752, -107025.914, 67123.2937,  -97175.9052},
+              1e-7);
+}
+
+// The line of reloading from the zero force at 0.02 - 262000/50e6 to the peak at 0.02 is the unloading line: softer
+// unloading after the ripple never reaches it.
+TEST(DeterioratingLoops, ARippleEndsModImkPinchingAsInOpenSees) {
+  const ModImkPinching law = made<ModImkPinching>();
+  const auto ripple = law.advance(law.advance({}, 0.02), 0.018);
+  EXPECT_GT(law.respond(ripple, 0.018).force, 1e5);
+  EXPECT_EQ(law.respond(ripple, 0.019).force, 0);
+  ModImkPinching lasting = law;
+  lasting.Lambda_K.reset();
+  EXPECT_NEAR(lasting.respond(lasting.advance(lasting.advance({}, 0.02), 0.018), 0.02).force, 262e3, 1e-6);
+}
+
+template <class L>
+struct DeterioratingBackbone : testing::Test {};
+using AllImkLaws = testing::Types<ImkBilinear, ImkPeakOriented, ImkPinching, Bilin, ModImkPeakOriented, ModImkPinching>;
+TYPED_TEST_SUITE(DeterioratingBackbone, AllImkLaws);
+
 template <class L>
 struct Deterioration : testing::Test {};
 using ImkLaws = testing::Types<ImkBilinear, ImkPeakOriented, ImkPinching>;
 TYPED_TEST_SUITE(Deterioration, ImkLaws);
 
 // Yield at 5 mrad, cap at 30 mrad, residual at 30 + 150 (1 - 0.2/1.08) mrad.
-TYPED_TEST(Deterioration, TheBackboneIsThatOfItsParameters) {
+TYPED_TEST(DeterioratingBackbone, IsThatOfItsParameters) {
   const TypeParam law = made<TypeParam>();
   const double residual = 0.03 + 0.15 * (1 - 0.2 / 1.08);
   for (const double side : {1.0, -1.0}) {
@@ -150,7 +235,7 @@ TYPED_TEST(Deterioration, TheBackboneIsThatOfItsParameters) {
   }
 }
 
-TYPED_TEST(Deterioration, TheForceIsLostAtTheUltimateDeformation) {
+TYPED_TEST(DeterioratingBackbone, LosesItsForceAtTheUltimateDeformation) {
   TypeParam law = made<TypeParam>();
   law.du = 0.06;
   const auto kept = law.advance({}, 0.05);
@@ -164,6 +249,29 @@ TYPED_TEST(Deterioration, TheForceIsLostAtTheUltimateDeformation) {
   EXPECT_EQ(law.stored(broken), 0);
   EXPECT_EQ(law.respond(broken, 0.1).force, TypeParam::keeps_other_side ? -50e3 : 0);
   EXPECT_EQ(law.respond(law.advance(broken, -0.5), 0.2).force, 0) << "both sides";
+}
+
+// Yield at 6 mrad, cap at 46 mrad, residual at 46 + 100 (1 - 0.3/1.05) mrad.
+TYPED_TEST(DeterioratingBackbone, HasParametersOfItsOwnInTheNegativeDirection) {
+  const TypeParam law = made_with_two_sides<TypeParam>();
+  EXPECT_NEAR(law.respond({}, 0.03).force, 270e3, 1e-6);
+  EXPECT_NEAR(law.respond({}, -0.046).force, -315e3, 1e-6);
+  EXPECT_NEAR(law.respond({}, -0.1).slope, -315e3 / 0.1, 1e-6) << "softening";
+  EXPECT_NEAR(law.respond({}, -0.5).force, -90e3, 1e-6);
+  EXPECT_EQ(law.yield_deformation(), 0.005);
+  EXPECT_EQ(law.yield_deformation(-1), 0.006);
+}
+
+TYPED_TEST(DeterioratingBackbone, IsMirroredWithItsSides) {
+  const TypeParam law = made_with_two_sides<TypeParam>();
+  TypeParam mirrored = law;
+  mirrored.is_mirrored = true;
+  typename TypeParam::State kept, other;
+  for (const double d : inner) {
+    EXPECT_EQ(mirrored.respond(other, -d).force, -law.respond(kept, d).force);
+    kept = law.advance(kept, d);
+    other = mirrored.advance(other, -d);
+  }
 }
 
 TYPED_TEST(Deterioration, AnExhaustedEnergyCapacityIsFinal) {
@@ -200,6 +308,8 @@ TEST(DeteriorationKeys, AreRefusedWithWhatToType) {
   refused("Lambda_S", 0, {"Lambda_S", "0", "remove"});
   refused("du", 0.01, {"du", "0.01", "0.015"});
   refused("FresFy", 1, {"FresFy", "[0, 1)"});
+  refused("FmaxFy_neg", 6, {"FmaxFy_neg", "6", "below 5"});
+  refused("D_neg", 1.5, {"D_neg", "1.5", "[0, 1]"});
 }
 
 }  // namespace deterioration_test

@@ -385,7 +385,8 @@ TEST(ByName, EveryLawOfTheDesignIsThere) {
   EXPECT_EQ(
       names,
       "bilinear menegotto_pinto bouc_wen peak_oriented friction_pendulum lead_rubber elastomeric backfill restrainer "
-      "uplift multilinear_elastic imk_bilinear imk_peak_oriented imk_pinching ");
+      "uplift multilinear_elastic imk_bilinear imk_peak_oriented imk_pinching bilin mod_imk_peak_oriented "
+      "mod_imk_pinching ");
 }
 
 TEST(ByName, WhatIsWrongIsSaidWithWhatToType) {

@@ -81,6 +81,21 @@ TEST(Plausible, EnergyCapacitiesAreNotLambda) {
                              {"accept: [Lambda]", "Lambda_S = 100", "theta_p", "0.025", "Lambda_S: 2.5"}));
 }
 
+TEST(Plausible, SupersededLawsNameTheirReplacements) {
+  const std::string storey =
+      "mass: 100 t, period: 0.8 s, spring: {bilin: {yield_force: 200 kN, dp: 40 mm, dpc: 0.2 m, Lambda_S: 1.5 m}}";
+  EXPECT_TRUE(test::mentions(
+      test::only(implausible(model_of(oscillator(storey)))),
+      {"accept: [superseded]", "structure a", "bilin,", "OpenSees issue 537", "imk_bilinear", "twice Lambda_K"}));
+  EXPECT_EQ(implausible(model_of(oscillator(storey) + "accept: [superseded]\n")), Texts{});
+  const std::string hinges =
+      ", hinges: {beams: {at: both, mod_imk_pinching: {yield_moment: [250 kN m, -200 kN m], theta_p: 0.025, "
+      "theta_p_neg: "
+      "0.03, theta_pc: 0.15, FmaxFy: 1.08, FprPos: 0.4, A_pinch: 0.6}}}";
+  EXPECT_TRUE(test::mentions(test::only(implausible(model_of(frame(hinges)))), {"mod_imk_pinching", "imk_pinching"}))
+      << "one line, not one per hinge";
+}
+
 TEST(Plausible, PartsYieldAtDeformationsThatCanBeSeen) {
   const auto storey = [](const std::string& force) {
     return oscillator("mass: 100 t, period: 0.8 s, yield_force: " + force + ", hardening: 2 %");

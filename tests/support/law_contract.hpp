@@ -136,14 +136,19 @@ void expect_energy_is_only_lost(const L& law, double dy) {
   }
 }
 
-/// A cycle that is repeated gives no energy.
+/// A cycle that is repeated gives no energy. Where its ripples may give some, it is less than the path before has lost.
 template <class L>
 void expect_repeated_cycles_give_no_energy(const L& law, double dy) {
   const double fy = law.stiffness() * dy;
   std::mt19937 random(16);
   std::uniform_real_distribution<double> reach(-2, 2);
   for (int i = 0; i < 300; ++i) {
-    typename L::State kept = follow(law, random_path(random, dy));
+    typename L::State kept;
+    double all = 0;
+    for (const double d : random_path(random, dy)) {
+      all += hysteresis::lost(law, kept, d);
+      kept = law.advance(kept, d);
+    }
     const double begin = kept.deformation;
     std::vector<double> cycle(static_cast<std::size_t>(1 + i % 4));
     for (double& d : cycle) d = begin + reach(random) * dy;
@@ -157,8 +162,9 @@ void expect_repeated_cycles_give_no_energy(const L& law, double dy) {
         kept = law.advance(kept, d);
       }
       work -= law.stored(kept) - stored;
+      all += work;
     }
-    ASSERT_GE(work, -1e-11 * fy * dy) << "cycle " << i;
+    ASSERT_GE(hysteresis::ripples_give_back<L> ? all : work, -1e-11 * fy * dy) << "cycle " << i;
   }
 }
 

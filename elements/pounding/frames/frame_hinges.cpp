@@ -64,9 +64,13 @@ hysteresis::HingeLaw law_of(const Hinge& hinge, double k, double b) {
       [&]<class L>(L& made) {
         made.initial_stiffness = k;
         made.hardening = b;
-        made.yield_force = hinge.sags_positive() ? hinge.yield_moment : hogging;
-        if constexpr (requires { made.negative_yield_force; })
-          made.negative_yield_force = hinge.sags_positive() ? hogging : hinge.yield_moment;
+        made.yield_force = hinge.yield_moment;
+        if constexpr (requires { made.negative_yield_force; }) made.negative_yield_force = hogging;
+        if (hinge.sags_positive()) return;
+        if constexpr (requires { made.is_mirrored; })
+          made.is_mirrored = true;
+        else if constexpr (requires { made.negative_yield_force; })
+          std::swap(made.yield_force, *made.negative_yield_force);
       },
       law);
   return law;

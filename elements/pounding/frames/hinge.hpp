@@ -46,7 +46,9 @@ struct Hinge {
   /// True without a spring in series.
   bool is_rigid_plastic() const { return stiffness == 0 && stiffness_factor == 0; }
   /// True if sagging and hogging can have different yield moments.
-  bool takes_two_moments() const { return std::holds_alternative<hysteresis::Bilinear>(law); }
+  bool takes_two_moments() const {
+    return std::visit([](const auto& made) { return requires { made.negative_yield_force; }; }, law);
+  }
   /// Index of its moment among the twelve end forces of a member.
   int place() const { return (at == MemberEnd::start ? 0 : 6) + (about == BendingAxis::y ? 4 : 5); }
   /// True if sagging is a positive moment at this end.

@@ -7,6 +7,7 @@
 #include <variant>
 
 #include <pounding/hysteresis/backfill.hpp>
+#include <pounding/hysteresis/bilin.hpp>
 #include <pounding/hysteresis/bilinear.hpp>
 #include <pounding/hysteresis/bouc_wen.hpp>
 #include <pounding/hysteresis/by_name.hpp>
@@ -16,6 +17,7 @@
 #include <pounding/hysteresis/imk_pinching.hpp>
 #include <pounding/hysteresis/lead_rubber.hpp>
 #include <pounding/hysteresis/menegotto_pinto.hpp>
+#include <pounding/hysteresis/mod_imk.hpp>
 #include <pounding/hysteresis/multilinear_elastic.hpp>
 #include <pounding/hysteresis/peak_oriented.hpp>
 #include <pounding/hysteresis/restrainer.hpp>
@@ -24,13 +26,13 @@
 namespace pounding::hysteresis {
 
 /// Any law of this library.
-using AnyLaw =
-    std::variant<Bilinear, MenegottoPinto, BoucWen, PeakOriented, FrictionPendulum, LeadRubber, Elastomeric, Backfill,
-                 Restrainer, Uplift, MultilinearElastic, ImkBilinear, ImkPeakOriented, ImkPinching>;
+using AnyLaw = std::variant<Bilinear, MenegottoPinto, BoucWen, PeakOriented, FrictionPendulum, LeadRubber, Elastomeric,
+                            Backfill, Restrainer, Uplift, MultilinearElastic, ImkBilinear, ImkPeakOriented, ImkPinching,
+                            Bilin, ModImkPeakOriented, ModImkPinching>;
 
 /// Laws of hinges: those with an initial stiffness, a yield force and a hardening, which the hinge sets.
-using HingeLaw =
-    std::variant<Bilinear, MenegottoPinto, BoucWen, PeakOriented, ImkBilinear, ImkPeakOriented, ImkPinching>;
+using HingeLaw = std::variant<Bilinear, MenegottoPinto, BoucWen, PeakOriented, ImkBilinear, ImkPeakOriented,
+                              ImkPinching, Bilin, ModImkPeakOriented, ModImkPinching>;
 
 /// True for a parameter that the hinge sets.
 template <class L>

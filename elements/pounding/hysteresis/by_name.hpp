@@ -27,6 +27,7 @@ constexpr Entry Entry::of() {
           .has_corners = hysteresis::has_corners<L>};
   if constexpr (requires { L::choices; }) e.choices = infos<L::choices>;
   if constexpr (requires { L::is_symmetric; }) e.is_symmetric = L::is_symmetric;
+  if constexpr (requires { L::replaced_by; }) e.replaced_by = L::replaced_by;
   return e;
 }
 

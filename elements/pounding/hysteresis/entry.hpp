@@ -31,6 +31,7 @@ struct Entry {
   std::span<const StateInfo> state;  ///< state variables, except the deformation
   bool has_corners = true;           ///< false if the slope jumps only at reversals
   bool is_symmetric = true;          ///< true if f(-d) = -f(d) on the mirrored path, with typical parameters
+  std::string_view replaced_by{};    ///< law by which its authors replaced this one; empty if none did
 
   /// Entry of a law, from its members.
   template <Law L>

@@ -2,132 +2,28 @@
 /// Common part of the deteriorating laws of Ibarra, Medina & Krawinkler.
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <optional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <tuple>
 #include <utility>
 
+#include <pounding/hysteresis/imk_table.hpp>
 #include <pounding/hysteresis/piecewise_linear.hpp>
-#include <pounding/hysteresis/table.hpp>
 #include <pounding/laws/checks.hpp>
 
 namespace pounding::hysteresis {
-
-/// Backbone of one side, by magnitudes: hardening line `base + slope x`, softening line `top - soft x`. The first point
-/// of reloading is the last reversal (turn, turn_force), the second one lies at the deformation `peak`.
-struct ImkSide {
-  double yield = 0, base = 0, slope = 0, top = 0, soft = 0;
-  double peak = 0, turn = 0, turn_force = 0;
-  bool is_lost = false;
-};
-
-/// Present piece: elastic before the first yield; unloading from a reversal and back; reloading in one to three lines;
-/// on the backbone, below the line that hardens, hardening, softening and residual; without force on one side or both.
-enum class ImkRule : int {
-  elastic,
-  unloading,
-  to_pinch,
-  to_turn,
-  reloading,
-  below,
-  hardening,
-  softening,
-  residual,
-  lost,
-  failed
-};
-
-/// State of these laws. `end` is the deformation at which a piece of loading ends, in the direction of its side; k is
-/// the unloading stiffness, `begun` the work at the last zero force, `pinch` and `pinch_force` the pinching point.
-struct ImkState {
-  double deformation = 0, work = 0;
-  double start = 0, force = 0, slope = 0;
-  ImkRule rule = ImkRule::elastic;
-  int side = 0;
-  bool is_on_backbone = false, was_residual = false;
-  double end = 0, k = 0, begun = 0, pinch = 0, pinch_force = 0;
-  std::array<ImkSide, 2> sides{};
-};
-
-/// Publications of these laws.
-inline constexpr std::string_view imk_source =
-    "Ibarra, Medina & Krawinkler 2005, Earthquake Eng. Struct. Dyn. 34:1489; Lignos & Krawinkler 2011, J. Struct. "
-    "Eng. 137:1291";
-
-/// Table of the parameters of law L, which may have more. Named as in OpenSees, where deformations of a hinge are
-/// theta_p and theta_pc in the papers.
-template <class L, class... More>
-constexpr auto imk_parameters(const More&... more) {
-  using P = Parameter<L>;
-  const auto exponent = [](std::string_view name) {
-    return ParameterInfo{name, "", "exponent of this deterioration", 1, Need::optional};
-  };
-  const auto capacity = [](std::string_view name, std::string_view meaning) {
-    return ParameterInfo{name, "m", meaning, 1.5, Need::optional};
-  };
-  return std::array{
-      P{{"stiffness", "N/m", "initial stiffness Ke", 1e7}, &L::initial_stiffness},
-      P{yield_force_info, &L::yield_force},
-      P{hardening_info("ratio b of post-yield to initial stiffness, instead of FmaxFy"), &L::hardening},
-      P{{.name = "FmaxFy",
-         .unit = "",
-         .meaning = "ratio of maximum to yield force, at least 1, instead of hardening",
-         .typical = 1.08,
-         .need = Need::extra},
-        &L::FmaxFy},
-      P{{.name = "dp",
-         .unit = "m",
-         .meaning = "deformation from yield to the maximum force",
-         .typical = 0.06,
-         .at_hinge = "theta_p"},
-        &L::dp},
-      P{{.name = "dpc",
-         .unit = "m",
-         .meaning = "deformation from the maximum force to zero force",
-         .typical = 0.12,
-         .at_hinge = "theta_pc"},
-        &L::dpc},
-      P{{.name = "du",
-         .unit = "m",
-         .meaning = "ultimate deformation, at which the force is lost (default none)",
-         .typical = 0.5,
-         .need = Need::extra,
-         .at_hinge = "theta_u"},
-        &L::du},
-      P{{"FresFy", "", "ratio of residual to yield force", 0.2, Need::optional}, &L::FresFy},
-      P{capacity("Lambda_S", "energy capacity Lambda of strength, Et = Lambda Fy (default: no deterioration)"),
-        &L::Lambda_S},
-      P{capacity("Lambda_C", "energy capacity Lambda of the softening line (default: no deterioration)"), &L::Lambda_C},
-      P{capacity("Lambda_K", "energy capacity Lambda of the unloading stiffness (default: no deterioration)"),
-        &L::Lambda_K},
-      P{exponent("c_S"), &L::c_S},
-      P{exponent("c_C"), &L::c_C},
-      P{exponent("c_K"), &L::c_K},
-      P(more)...};
-}
-
-/// State variables of law L.
-template <class L>
-inline constexpr std::array imk_state{
-    StateValue<L>{{"rule", "", "0 elastic, 1 unloading, 2 to 4 reloading, 5 to 8 backbone, 9 and 10 force lost"},
-                  [](const ImkState& kept) { return static_cast<double>(kept.rule); }},
-    StateValue<L>{{"strength", "N", "yield force in the positive direction; 0 before the first yield"},
-                  [](const ImkState& kept) { return kept.sides[0].yield; }},
-    StateValue<L>{{"negative_strength", "N", "its magnitude in the negative direction"},
-                  [](const ImkState& kept) { return kept.sides[1].yield; }},
-    StateValue<L>{{"unloading", "N/m", "unloading stiffness; 0 before the first yield"},
-                  [](const ImkState& kept) { return kept.k; }}};
 
 /// Base of such a law: backbone, rules of paths, and deterioration by beta = (E/(Et - SE))^c at exact points, with E
 /// the work since the last zero force, SE the total work, Et = Lambda Fy. At zero force, beta reduces the backbone of
 /// the side that is entered; at a reversal on the backbone, beta without the recoverable energy reduces the unloading
 /// stiffness. The spring fails if beta reaches 1, and if a reversal would return energy faster than loading adds it.
 ///
-/// Self provides `turns_everywhere` (true if a reversal below the backbone also reduces the stiffness) and, for a State
-/// at the zero force or at the last reversal of its side,
+/// Self provides `turns_everywhere` (true if a reversal below the backbone also reduces the stiffness),
+/// `halves_after_residual`, `keeps_other_side`, `hardens_below_residual` and, for a State at the zero force or at the
+/// last reversal of its side,
 ///
 ///     void deteriorate(State&, double beta_S, double beta_C) const noexcept;  // of the side; may fail
 ///     void reload(State&) const noexcept;  // from zero force
@@ -149,41 +45,46 @@ struct Imk : PiecewiseLinear<Self, ImkState> {
   std::optional<double> Lambda_C{};  ///< of the softening line [m]
   std::optional<double> Lambda_K{};  ///< of the unloading stiffness [m]
   double c_S = 1, c_C = 1, c_K = 1;  ///< exponents > 0 [-]
+  /// In the negative direction; by default as in the positive one.
+  std::optional<double> negative_yield_force{}, hardening_neg{}, FmaxFy_neg{}, dp_neg{}, dpc_neg{}, du_neg{},
+      FresFy_neg{};
+  double D_pos = 1, D_neg = 1;  ///< factors on beta of each direction, in [0, 1] [-]
+  bool is_mirrored = false;     ///< exchanges both directions
 
   void check(Use use = Use::spring) const {
-    const auto name = [use](std::size_t row) { return std::string(name_at(use, Self::parameters[row].info)); };
-    const std::string yields = name(1), hardens = name(2), ultimate = name(6);
-    laws::require_positive("stiffness", initial_stiffness);
-    laws::require_positive(yields, yield_force);
-    if (!(hardening >= 0 && hardening < 1)) laws::refuse(hardens, hardening, "in [0, 1)");
-    if (FmaxFy && !(std::isfinite(*FmaxFy) && *FmaxFy >= 1)) laws::refuse("FmaxFy", *FmaxFy, "finite and at least 1");
+    const auto name = [use](std::string_view key) {
+      const auto* p = Self::parameters.data();
+      while (p->info.name != key) ++p;
+      return std::string(name_at(use, p->info));
+    };
+    for (const auto& p : Self::parameters)
+      if (const auto value = p.get(self())) require(p.info, name(p.info.name), *value);
     // A hinge at a loose joint sets a hardening of 1e-8.
     if (FmaxFy && hardening > 1e-6)
-      throw std::invalid_argument("give FmaxFy or " + hardens + ", not both; FmaxFy = 1 + " + hardens + " stiffness " +
-                                  name(4) + "/" + yields);
-    laws::require_positive(name(4), dp);
-    laws::require_positive(name(5), dpc);
-    laws::require_positive(ultimate, du);
-    if (du && !(*du > yield_deformation()))
-      laws::refuse(ultimate, *du, "above the yield deformation, " + laws::number_text(yield_deformation()));
-    if (!(FresFy >= 0 && FresFy < 1)) laws::refuse("FresFy", FresFy, "in [0, 1)");
-    if (FmaxFy && *FmaxFy - 1 >= dp / yield_deformation())
-      laws::refuse(
-          "FmaxFy", *FmaxFy,
-          "below " + laws::number_text(1 + dp / yield_deformation()) + ", so that the spring softens at yield");
-    for (const auto& [row, value] : {std::pair(8, Lambda_S), {9, Lambda_C}, {10, Lambda_K}})
-      require_capacity(name(row), value);
-    for (const auto& [row, value] : {std::pair(11, c_S), {12, c_C}, {13, c_K}})
-      laws::require_positive(name(row), value);
+      throw std::invalid_argument("give FmaxFy or " + name("hardening") + ", not both; FmaxFy = 1 + " +
+                                  name("hardening") + " stiffness " + name("dp") + "/" + name("yield_force"));
+    if (FmaxFy_neg && hardening_neg)
+      throw std::invalid_argument("give FmaxFy_neg or " + name("hardening_neg") + ", not both");
+    for (const int way : {1, -1}) {
+      const Direction d = direction(way);
+      const double dy = d.yield / initial_stiffness, ratio = d.maximum / d.yield, most = 1 + d.dp / dy;
+      if (!(d.du > dy))
+        laws::refuse(name(way < 0 && du_neg ? "du_neg" : "du"), d.du,
+                     "above the yield deformation, " + laws::number_text(dy));
+      if (ratio >= most)
+        laws::refuse(way < 0 && FmaxFy_neg ? "FmaxFy_neg" : "FmaxFy", ratio,
+                     "below " + laws::number_text(most) + ", so that the spring softens at yield");
+    }
   }
   double stiffness() const noexcept { return initial_stiffness; }
-  double yield_deformation() const noexcept { return yield_force / initial_stiffness; }
-
+  /// Minimum of both directions.
+  double yield_deformation() const noexcept { return std::min(yield_deformation(1), yield_deformation(-1)); }
+  double yield_deformation(double way) const noexcept { return direction(way).yield / initial_stiffness; }
   /// True before the first yield.
   bool is_elastic(const State& s) const noexcept { return s.rule == ImkRule::elastic; }
   /// Deformation at the end of the present piece, at most the ultimate one.
   double end_of_piece(const State& s, int way) const noexcept {
-    const double end = end_of_rule(s, way), ultimate = du.value_or(HUGE_VAL);
+    const double end = end_of_rule(s, way), ultimate = direction(way).du;
     if (s.rule == ImkRule::failed || of(s, way).is_lost || !(way * s.deformation <= ultimate)) return end;
     return way * std::min(way * end, ultimate);
   }
@@ -192,22 +93,22 @@ struct Imk : PiecewiseLinear<Self, ImkState> {
     if (s.rule <= ImkRule::unloading || s.rule == ImkRule::failed || way == s.side) return;
     const double force = this->force_at(s, s.deformation);
     if (s.rule == ImkRule::lost) s.k = 0.5 * initial_stiffness;
-    if (force == 0) return cross(s, way);
+    s.is_on_backbone = s.rule >= ImkRule::below;
+    s.k = self().unloading_stiffness(s);
+    if (s.k == 0) return fail(s);
+    if (force == 0) return self().cross(s, way);
     ImkSide& a = of(s, s.side);
     a.turn = s.side * s.deformation;
     a.turn_force = s.side * force;
     a.peak = std::max(a.peak, a.turn);
-    s.is_on_backbone = s.rule >= ImkRule::below;
-    s.k = unloading_stiffness(s);
-    if (s.k == 0) return fail(s);
     begin(s, ImkRule::unloading, a.turn, a.turn_force, s.k, 0);
   }
   /// Begins the piece beyond the present one.
   void arrive(State& s, int way) const noexcept {
-    if (du && way * s.deformation >= *du && !of(s, way).is_lost) return lose(s, way);
+    if (way * s.deformation >= direction(way).du && !of(s, way).is_lost) return lose(s, way);
     switch (s.rule) {
       case ImkRule::elastic: return yield(s, way);
-      case ImkRule::unloading: return way == s.side ? self().resume(s) : cross(s, way);
+      case ImkRule::unloading: return way == s.side ? self().resume(s) : self().cross(s, way);
       case ImkRule::to_pinch:
       case ImkRule::to_turn: return self().go_on(s);
       case ImkRule::reloading: return enter_backbone(s, s.end);
@@ -230,15 +131,47 @@ struct Imk : PiecewiseLinear<Self, ImkState> {
     return beta >= 1 || returns_more ? 0 : s.k * (1 - beta);
   }
 
+  /// Parameters of one direction.
+  struct Direction {
+    double yield, dp, dpc, du, residual, D, maximum;
+  };
+  /// Force of the residual branch of the present side.
+  double plateau(const State& s) const noexcept { return of(s, s.side).residual; }
+  /// True if a softening line that reaches zero force at x ends the law.
+  bool fails_without_residual(const ImkSide&, double /*x*/) const noexcept { return true; }
+  /// Slope of the softening line before any deterioration [N/m].
+  double softening(const Direction& d) const noexcept { return d.maximum / d.dpc; }
+  /// Zero force: the side of the direction is entered.
+  void cross(State& s, int way) const noexcept {
+    const double beta_S = beta(s, Lambda_S, c_S), beta_C = beta(s, Lambda_C, c_C);
+    s.side = way;
+    if (beta_S >= 1 || beta_C >= 1) return fail(s);
+    if (of(s, way).is_lost) {
+      s.begun = s.work;
+      return begin(s, ImkRule::lost, 0, 0, 0, HUGE_VAL);
+    }
+    const double D = direction(way).D;
+    self().deteriorate(s, D * beta_S, D * beta_C);
+    s.begun = s.work;
+    if (s.rule != ImkRule::failed) self().reload(s);
+  }
+
  protected:
+  Direction direction(double way) const noexcept {
+    if ((way < 0) == is_mirrored) {
+      const double maximum = FmaxFy ? *FmaxFy * yield_force : yield_force + hardening * initial_stiffness * dp;
+      return {yield_force, dp, dpc, du.value_or(HUGE_VAL), FresFy * yield_force, D_pos, maximum};
+    }
+    const double fy = negative_yield_force.value_or(yield_force), plastic = dp_neg.value_or(dp);
+    const auto ratio = hardening_neg ? std::nullopt : FmaxFy_neg ? FmaxFy_neg : FmaxFy;
+    const double maximum = ratio ? *ratio * fy : fy + hardening_neg.value_or(hardening) * initial_stiffness * plastic;
+    return {
+        fy,    plastic, dpc_neg.value_or(dpc), du_neg.value_or(du.value_or(HUGE_VAL)), FresFy_neg.value_or(FresFy) * fy,
+        D_neg, maximum};
+  }
   /// Side of a direction.
   static ImkSide& of(State& s, int way) noexcept { return s.sides[way > 0 ? 0 : 1]; }
   static const ImkSide& of(const State& s, int way) noexcept { return s.sides[way > 0 ? 0 : 1]; }
-  double residual_force() const noexcept { return FresFy * yield_force; }
-  void require_capacity(const std::string& name, const std::optional<double>& value) const {
-    if (value && !(std::isfinite(*value) && *value > 0))
-      laws::refuse(name, *value, "finite and positive; without this deterioration, remove " + name);
-  }
   /// Starts a piece at the deformation x and force f of its side.
   static void begin(State& s, ImkRule rule, double x, double f, double slope, double end) noexcept {
     s.rule = rule;
@@ -246,17 +179,15 @@ struct Imk : PiecewiseLinear<Self, ImkState> {
     s.force = s.side * f;
     s.slope = slope;
     s.end = end;
+    s.is_due = s.is_due || rule == ImkRule::hardening || rule == ImkRule::softening;
   }
   static void fail(State& s) noexcept {
     s.side = 0;
     begin(s, ImkRule::failed, 0, 0, 0, 0);
   }
-  /// Maximum of the backbone before any deterioration [N].
-  double maximum_force() const noexcept {
-    return FmaxFy.value_or(1 + hardening * dp / yield_deformation()) * yield_force;
-  }
   double backbone(const ImkSide& a, double x) const noexcept {
-    return std::max(residual_force(), std::min(a.base + a.slope * x, a.top - a.soft * x));
+    if (Self::hardens_below_residual && x < cap(a)) return a.base + a.slope * x;
+    return std::max(a.residual, std::min(a.base + a.slope * x, a.top - a.soft * x));
   }
   static double cap(const ImkSide& a) noexcept {
     return a.slope + a.soft > 0 ? (a.top - a.base) / (a.slope + a.soft) : HUGE_VAL;
@@ -264,22 +195,22 @@ struct Imk : PiecewiseLinear<Self, ImkState> {
   /// Continues on the backbone at x.
   void enter_backbone(State& s, double x) const noexcept {
     const ImkSide& a = of(s, s.side);
-    const double maximum = cap(a), residual = residual_force();
-    const bool is_flat = !std::isfinite(maximum) || a.base + a.slope * maximum <= residual;
-    const double rise = a.slope > 0 ? (residual - a.base) / a.slope : -HUGE_VAL;
-    if (is_flat) return stay_residual(s, x);
-    if (x < rise) return begin(s, ImkRule::below, x, residual, 0, rise);
+    const double maximum = cap(a);
+    const bool is_flat = !std::isfinite(maximum) || a.base + a.slope * maximum <= a.residual;
+    const double rise = a.slope > 0 ? (a.residual - a.base) / a.slope : -HUGE_VAL;
+    if (!Self::hardens_below_residual && is_flat) return stay_residual(s, x);
+    if (!Self::hardens_below_residual && x < rise) return begin(s, ImkRule::below, x, a.residual, 0, rise);
     if (x < maximum) return harden(s, x);
-    if (a.top - a.soft * x > residual) return soften(s, x);
+    if (a.top - a.soft * x > a.residual) return soften(s, x);
     stay_residual(s, x);
   }
   /// Loads along the line with slope s.k through (x, f) until it meets the backbone.
   void climb(State& s, double x, double f) const noexcept {
     const ImkSide& a = of(s, s.side);
-    const double residual = residual_force();
     double end = a.slope + a.soft > 0 ? (a.top - f + s.k * x) / (s.k + a.soft) : x;
     if (a.slope + a.soft > 0 && s.k > a.slope) end = std::min(end, (a.base - f + s.k * x) / (s.k - a.slope));
-    if (f + s.k * (end - x) < residual) end = x + (residual - f) / s.k;
+    if (f + s.k * (end - x) < a.residual && !(Self::hardens_below_residual && end < cap(a)))
+      end = x + (a.residual - f) / s.k;
     begin(s, ImkRule::reloading, x, f, s.k, end);
   }
   /// beta of the work since the last zero force, 1 if the capacity is exhausted.
@@ -293,25 +224,41 @@ struct Imk : PiecewiseLinear<Self, ImkState> {
  private:
   const Self& self() const noexcept { return static_cast<const Self&>(*this); }
 
+  static void require(const ParameterInfo& info, const std::string& name, double value) {
+    const std::string_view key = info.name;
+    if (key.starts_with("Lambda") && !(std::isfinite(value) && value > 0))
+      laws::refuse(name, value, "finite and positive; without this deterioration, remove " + name);
+    if ((key.starts_with("hardening") || key.starts_with("FresFy")) && !(value >= 0 && value < 1))
+      laws::refuse(name, value, "in [0, 1)");
+    if (key.starts_with("FmaxFy") && !(std::isfinite(value) && value >= 1))
+      laws::refuse(name, value, "finite and at least 1");
+    if (key.starts_with("D_") && !(value >= 0 && value <= 1)) laws::refuse(name, value, "in [0, 1]");
+    if (!info.unit.empty() || key.starts_with("c_")) laws::require_positive(name, value);
+  }
+
   double end_of_rule(const State& s, int way) const noexcept {
     switch (s.rule) {
-      case ImkRule::elastic: return way * yield_deformation();
+      case ImkRule::elastic: return way * yield_deformation(way);
       case ImkRule::unloading: return way == s.side ? s.start : s.start - s.force / s.slope;
       case ImkRule::failed: return way * HUGE_VAL;
       default: return s.side * s.end;
     }
   }
   void yield(State& s, int way) const noexcept {
-    const double dy = yield_deformation(), maximum = maximum_force();
-    ImkSide a{.yield = yield_force, .slope = (maximum - yield_force) / dp, .soft = maximum / dpc};
-    a.base = a.yield - a.slope * dy;
-    a.top = maximum + a.soft * (dy + dp);
-    a.peak = a.turn = dy;
-    a.turn_force = yield_force;
-    s.sides[0] = s.sides[1] = a;
+    for (const int side : {1, -1}) {
+      const Direction d = direction(side);
+      const double dy = d.yield / initial_stiffness;
+      ImkSide& a = of(s, side);
+      a = {
+          .yield = d.yield, .slope = (d.maximum - d.yield) / d.dp, .soft = self().softening(d), .residual = d.residual};
+      a.base = a.yield - a.slope * dy;
+      a.top = d.maximum + a.soft * (dy + d.dp);
+      a.peak = a.turn = dy;
+      a.turn_force = d.yield;
+    }
     s.k = initial_stiffness;
     s.side = way;
-    harden(s, dy);
+    harden(s, of(s, way).peak);
   }
   void harden(State& s, double x) const noexcept {
     const ImkSide& a = of(s, s.side);
@@ -319,34 +266,22 @@ struct Imk : PiecewiseLinear<Self, ImkState> {
   }
   void soften(State& s, double x) const noexcept {
     const ImkSide& a = of(s, s.side);
-    const double end = a.soft > 0 ? (a.top - residual_force()) / a.soft : HUGE_VAL;
+    const double end = a.soft > 0 ? (a.top - a.residual) / a.soft : HUGE_VAL;
     begin(s, ImkRule::softening, x, a.top - a.soft * x, -a.soft, end);
   }
   void stay_residual(State& s, double x) const noexcept {
-    if (FresFy == 0) return fail(s);
+    const ImkSide& a = of(s, s.side);
+    if (a.residual == 0 && self().fails_without_residual(a, x)) return fail(s);
     s.was_residual = true;
-    begin(s, ImkRule::residual, x, residual_force(), 0, HUGE_VAL);
-  }
-  /// Zero force: the side of the direction is entered.
-  void cross(State& s, int way) const noexcept {
-    const double beta_S = beta(s, Lambda_S, c_S), beta_C = beta(s, Lambda_C, c_C);
-    s.side = way;
-    if (beta_S >= 1 || beta_C >= 1) return fail(s);
-    if (of(s, way).is_lost) {
-      s.begun = s.work;
-      return begin(s, ImkRule::lost, 0, 0, 0, HUGE_VAL);
-    }
-    self().deteriorate(s, beta_S, beta_C);
-    s.begun = s.work;
-    if (s.rule != ImkRule::failed) self().reload(s);
+    begin(s, ImkRule::residual, x, self().plateau(s), 0, HUGE_VAL);
   }
   /// Ultimate deformation of a side: the other one keeps its residual force if the law allows it.
   void lose(State& s, int way) const noexcept {
     if (s.rule == ImkRule::elastic) yield(s, way);
     ImkSide& other = of(s, -way);
-    if (!Self::keeps_other_side || other.is_lost || FresFy == 0) return fail(s);
+    if (!Self::keeps_other_side || other.is_lost || other.residual == 0) return fail(s);
     of(s, way).is_lost = true;
-    other.yield = other.base = other.top = residual_force();
+    other.yield = other.base = other.top = other.residual;
     other.slope = other.soft = 0;
     s.was_residual = true;
     s.side = way;

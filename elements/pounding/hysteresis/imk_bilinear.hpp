@@ -32,20 +32,22 @@ struct ImkBilinear : Imk<ImkBilinear> {
   /// With typical parameters: a softer reversal returns more than a stiffer one, near the end of the energy capacity
   /// and where the residual branch halves the stiffness. The total loss is never negative.
   static constexpr double gives_back = 0.2;
-  static constexpr bool turns_everywhere = false, halves_after_residual = true, keeps_other_side = true;
+  static constexpr bool turns_everywhere = false, halves_after_residual = true, keeps_other_side = true,
+                        hardens_below_residual = false;
 
   static constexpr std::array parameters = imk_parameters<ImkBilinear>();
   static constexpr std::array state = imk_state<ImkBilinear>;
 
   /// Reduces the backbone of the side that is entered.
   void deteriorate(State& s, double beta_S, double beta_C) const noexcept {
-    const double residual = residual_force(), maximum = maximum_force();
+    const Direction d = direction(s.side);
+    const double residual = d.residual;
     ImkSide& a = of(s, s.side);
     if (a.slope + a.soft == 0) return;
     a.yield *= 1 - beta_S;
     a.slope *= 1 - beta_S;
     a.top *= 1 - beta_C;
-    a.soft = std::max(maximum / dpc * (a.yield - residual) / (yield_force - residual), 0.0);
+    a.soft = std::max(d.maximum / d.dpc * (a.yield - residual) / (d.yield - residual), 0.0);
     a.base = a.yield - a.slope * a.yield / initial_stiffness;
     const double x = cap(a), force = std::isfinite(x) ? a.base + a.slope * x : 0;
     if (force < residual) {

@@ -24,18 +24,13 @@ constexpr auto imk_reloading_parameters(const More&... more) {
 template <class Self>
 struct ImkReloading : Imk<Self> {
   using State = ImkState;  ///< accepted state
-  static constexpr bool turns_everywhere = true, halves_after_residual = false, keeps_other_side = false;
+  static constexpr bool turns_everywhere = true, halves_after_residual = false, keeps_other_side = false,
+                        hardens_below_residual = false;
   /// With typical parameters: reloading may be stiffer than unloading. The total loss is never negative.
   static constexpr double gives_back = 0.1;
 
   std::optional<double> Lambda_A{};  ///< energy capacity of accelerated reloading over Fy [m]
   double c_A = 1;                    ///< exponent > 0 [-]
-
-  void check(Use use = Use::spring) const {
-    Imk<Self>::check(use);
-    this->require_capacity("Lambda_A", Lambda_A);
-    laws::require_positive("c_A", c_A);
-  }
   /// Reduces the backbone of the side that is entered and moves its peak outwards.
   void deteriorate(State& s, double beta_S, double beta_C) const noexcept {
     const double beta_A = this->beta(s, Lambda_A, c_A);
@@ -43,7 +38,7 @@ struct ImkReloading : Imk<Self> {
     a.yield *= 1 - beta_S;
     a.slope *= 1 - beta_S;
     a.top *= 1 - beta_C;
-    a.peak *= 1 + beta_A;
+    a.peak *= 1 + this->direction(s.side).D * beta_A;
     a.base = a.yield - a.slope * a.yield / this->initial_stiffness;
     if (beta_A >= 1 || !(this->backbone(a, a.peak) > 0)) this->fail(s);
   }

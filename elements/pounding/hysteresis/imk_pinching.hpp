@@ -36,7 +36,7 @@ struct ImkPinching : ImkReloading<ImkPinching> {
   static constexpr std::array state = imk_state<ImkPinching>;
 
   void check(Use use = Use::spring) const {
-    ImkReloading::check(use);
+    Imk::check(use);
     if (!(kappaF > 0 && kappaF <= 1)) laws::refuse("kappaF", kappaF, "in (0, 1]");
     if (!(kappaD >= 0 && kappaD <= 1)) laws::refuse("kappaD", kappaD, "in [0, 1]");
   }

@@ -18,6 +18,7 @@
 ///
 ///     static constexpr bool has_corners;  // false if corner() is always empty
 ///     static constexpr double gives_back;  // see gives_back below
+///     static constexpr bool ripples_give_back;  // see ripples_give_back below
 ///     Answer excess(const State&, double d) const noexcept;  // see excess() below
 ///     double lost(const State&, double d) const noexcept;  // see lost() below
 ///     double stored_excess(const State&) const noexcept;  // see stored_excess() below
@@ -75,6 +76,10 @@ inline constexpr double gives_back = [] {
   if constexpr (requires { L::gives_back; }) return L::gives_back;
   return 0.0;
 }();
+
+/// True for a published law whose small cycles can return energy, in total less than earlier cycles have lost.
+template <Law L>
+inline constexpr bool ripples_give_back = requires { requires L::ripples_give_back; };
 
 /// Response minus that of an elastic spring k d; exactly zero in the elastic range of laws that provide it.
 template <Law L>

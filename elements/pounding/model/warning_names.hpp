@@ -20,6 +20,7 @@ namespace pounding {
 /// - yield: a storey that yields at less than 0.01 mm of drift, or a hinge at less than 0.02 mrad
 /// - rotation: an ultimate rotation of a hinge above 0.5 rad
 /// - Lambda: an energy capacity Lambda of a deteriorating spring above 20, which may be lambda
+/// - superseded: a hysteretic law that its authors have replaced
 /// - pga: a peak acceleration or amplitude without unit that would be typical in g
 /// - record: a record with a peak outside 0.005 g to 3 g, a step above 0.1 s, a displacement above 5 m, or times that
 ///   are sample numbers
@@ -44,6 +45,6 @@ inline constexpr auto warning_names = std::to_array<std::string_view>(
     {"period",   "gap",     "face",      "joint",   "mass",        "section",   "E",        "yield",
      "rotation", "pga",     "record",    "motion",  "penetration", "tolerance", "duration", "hardening",
      "scale",    "density", "stiffness", "damping", "isolator",    "height",    "friction", "amplitude",
-     "initial",  "drift",   "seat",      "Lambda",  "E0",          "steel02",   "diaphragm"});
+     "initial",  "drift",   "seat",      "Lambda",  "superseded",  "E0",        "steel02",  "diaphragm"});
 
 }  // namespace pounding

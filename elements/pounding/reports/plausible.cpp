@@ -10,6 +10,7 @@
 
 #include <pounding/core/units.hpp>
 #include <pounding/ground/record.hpp>
+#include <pounding/hysteresis/all.hpp>
 #include <pounding/model/drawing.hpp>
 #include <pounding/model/ground_plan.hpp>
 #include <pounding/reports/fibre_report.hpp>
@@ -103,6 +104,22 @@ void warn_about_members(const Structure& s, Warnings& warnings) {
                  s.name, name_of(softest - g.moduli.begin()), format_quantity(*softest, dimension::stress));
 }
 
+// Laws that their authors have replaced, each once.
+void warn_about_laws(const Model& model, Warnings& warnings) {
+  std::set<std::string> named;
+  const auto look_at = [&](const std::string& place, const std::string& law) {
+    for (const hysteresis::Entry& entry : hysteresis::catalogue())
+      if (entry.name == law && !entry.replaced_by.empty() && named.insert(law).second)
+        warnings.add("superseded",
+                     "{} has the law {}, which its authors replaced (OpenSees issue 537); type {}, with twice Lambda_K",
+                     place, law, entry.replaced_by);
+  };
+  for (const Structure& s : model.structures)
+    for (const YieldingPart& part : s.yielding) look_at(fmt::format("structure {}: {}", s.name, part.name), part.law);
+  for (const Device& device : model.devices)
+    if (device.parts.law) look_at("device " + device.name, device.parts.law->law);
+}
+
 // Isolators stick until they slide, and dampers have no limit.
 void warn_about_yielding(const Structure& s, Warnings& warnings) {
   const auto first_warning = [&](const char* name, auto&& text_of) {
@@ -160,9 +177,8 @@ void warn_about_isolators(const Structure& s, Warnings& warnings) {
   if (s.dimension == 3) sum /= 2;
   if (!(weight > 0) || !(sum > 0) || (sum >= weakest_isolators * weight && sum <= weight)) return;
   warnings.add("isolator",
-               "structure {}: its isolators start to move at {}, {:.3g} % of its weight "
-               "of {}, 2 % to 15 % are typical; a bare "
-               "force is in N, type its unit, as in 375 kN",
+               "structure {}: its isolators start to move at {}, {:.3g} % of its weight of {}, 2 % to 15 % are "
+               "typical; a bare force is in N, type its unit, as in 375 kN",
                s.name, format_quantity(sum, dimension::force), 100 * sum / weight,
                format_quantity(weight, dimension::force));
 }
@@ -178,9 +194,8 @@ void warn_about_start(const Structure& s, Warnings& warnings) {
                  s.name, format_quantity(moved, dimension::length), largest_start);
   if (const double velocity = largest(s.initial_velocity); velocity > fastest_start)
     warnings.add("initial",
-                 "structure {}: initial velocity of {}, above {:g} m/s; a bare "
-                 "velocity is in m/s, type its unit, as in 0.5 "
-                 "m/s",
+                 "structure {}: initial velocity of {}, above {:g} m/s; a bare velocity is in m/s, type its unit, as "
+                 "in 0.5 m/s",
                  s.name, format_quantity(velocity, dimension::velocity), fastest_start);
 }
 
@@ -195,9 +210,8 @@ void warn_about_ground(const Model& model, Warnings& warnings) {
       if (support.motion) take(*support.motion);
   if (peak <= strongest_ground) return;
   warnings.add("scale",
-               "ground motion: its peak acceleration is {:.4g} g, above {:g} g; scale is a "
-               "factor on the record in its own unit, "
-               "as in 1.5, and pga: 0.35 g gives the peak itself",
+               "ground motion: its peak acceleration is {:.4g} g, above {:g} g; scale is a factor on the record in "
+               "its own unit, as in 1.5, and pga: 0.35 g gives the peak itself",
                peak / standard_gravity, strongest_ground / standard_gravity);
 }
 
@@ -252,9 +266,8 @@ void warn_about_duration(const Model& model, Warnings& warnings) {
   }
   if (cut > 0)
     warnings.add("duration",
-                 "analysis: the duration of {:.4g} s cuts {} of {} record{}, by more than 5 % of the "
-                 "Arias intensity and up "
-                 "to {:.0f} %; type a duration of at least {:.6g} s, or remove it",
+                 "analysis: the duration of {:.4g} s cuts {} of {} record{}, by more than 5 % of the Arias intensity "
+                 "and up to {:.0f} %; type a duration of at least {:.6g} s, or remove it",
                  model.analysis.duration, cut, arrivals.size(), arrivals.size() == 1 ? "" : "s", 100 * worst,
                  std::ceil(10 * needed) / 10);
 }
@@ -277,9 +290,8 @@ void warn_about_faces(const Model& model, Warnings& warnings) {
     const AxisAdvice advice = advice_on_axes(model, link.left, link.right, side_of(link.direction));
     if (advice.sum() == 0 || link.gap < advice.sum()) continue;
     warnings.add("face",
-                 "link {}: the gap is {}, and the columns reach {} and {} beyond their axes; "
-                 "if the frames are drawn by axes, type "
-                 "{}, which leaves {} between faces",
+                 "link {}: the gap is {}, and the columns reach {} and {} beyond their axes; if the frames are drawn "
+                 "by axes, type {}, which leaves {} between faces",
                  link.name, format_quantity(link.gap, dimension::length),
                  format_quantity(advice.halves[0], dimension::length),
                  format_quantity(advice.halves[1], dimension::length), advice.text,
@@ -302,9 +314,8 @@ void warn_about_joints(const Model& model, Warnings& warnings) {
   if (!hit) return;
   const auto metres = [](double length) { return format_quantity(length, dimension::length); };
   warnings.add("joint",
-               "link {}: the column of {} is hit {} from a joint, and it is {} deep{}; if the floors are "
-               "level, type level_within: "
-               "{}, or link the floors by their numbers",
+               "link {}: the column of {} is hit {} from a joint, and it is {} deep{}; if the floors are level, type "
+               "level_within: {}, or link the floors by their numbers",
                nearest->name, model.structures[hit->structure].name, metres(hit->point.to_joint),
                metres(hit->point.column_depth), others > 0 ? fmt::format(" (and {} more)", others) : "",
                metres(std::ceil(hit->point.to_joint * 100) / 100));
@@ -335,6 +346,7 @@ std::vector<std::string> implausible(const Model& model, double tolerance) {
     warn_about_start(s, warnings);
     std::ranges::copy(warnings_about_fibres(s), std::back_inserter(warnings));
   }
+  warn_about_laws(model, warnings);
   warn_about_ground(model, warnings);
   warn_about_gaps(model, warnings);
   warn_about_duration(model, warnings);
@@ -378,10 +390,9 @@ std::vector<std::string> implausible_drifts(const Model& model, std::span<const 
     if (worst >= std::min(heights.size(), drifts[k].size()) || !(drifts[k][worst] > largest_drift * heights[worst]))
       continue;
     warnings.add("drift",
-                 "structure {}: storey {} drifts by {}, {:.3g} % of its height of {} and above {:g} %, "
-                 "which no building survives; check the "
-                 "units of masses, stiffnesses and ground motion, or type analysis: {{collapse_drift: 10 "
-                 "%}} to end the run there",
+                 "structure {}: storey {} drifts by {}, {:.3g} % of its height of {} and above {:g} %, which no "
+                 "building survives; check the units of masses, stiffnesses and ground motion, or type analysis: "
+                 "{{collapse_drift: 10 %}} to end the run there",
                  s.name, s.floors[worst].label, format_quantity(drifts[k][worst], dimension::length, 4),
                  100 * drifts[k][worst] / heights[worst], format_quantity(heights[worst], dimension::length),
                  100 * largest_drift);
