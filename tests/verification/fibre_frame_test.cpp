@@ -12,7 +12,9 @@
 #include <fmt/format.h>
 
 #include <pounding/elements.hpp>
+#include <pounding/frames/fibre_member.hpp>
 #include <pounding/frames/frame_structure.hpp>
+#include <pounding/materials/all.hpp>
 #include <pounding/run/run.hpp>
 #include <pounding/sections/builders.hpp>
 

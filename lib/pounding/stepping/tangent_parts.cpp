@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <pounding/core/archive_eigen.hpp>
 #include <pounding/core/error.hpp>
@@ -15,6 +16,9 @@ using Eigen::VectorXd;
 constexpr int settling_iterations = 100;
 // Relative change of strain, and change of displacement relative to the largest one, at which the state is settled.
 constexpr double settled = 1e-12;
+// With larger round-off, as with stiff members, changes stop decreasing; below this fraction they are accepted.
+constexpr double nearly_settled = 1e-9;
+constexpr double smallest_displacement = 1e-9;  // [m]
 
 }  // namespace
 
@@ -38,6 +42,7 @@ void TangentParts::settle(Eigen::Ref<VectorXd> u) {
   for (Part& part : parts_) {
     VectorXd own = u.segment(part.first, part.size);
     part.forces.begin_step(*part.motion);
+    double last = std::numeric_limits<double>::infinity();
     for (int iteration = 0;; ++iteration) {
       const double strain = linearize(part, own);
       double change = 0;
@@ -49,7 +54,10 @@ void TangentParts::settle(Eigen::Ref<VectorXd> u) {
       }
       if (!std::isfinite(strain + change) || iteration == settling_iterations)
         throw SolverError("a structure of fibre members has no equilibrium with its initial displacement");
-      if (std::max(strain, change / std::max(own.cwiseAbs().maxCoeff(), 1e-9)) < settled) break;
+      const double size = (own + part.forces.at_rest()).cwiseAbs().maxCoeff();
+      const double error = std::max(strain, change / std::max(size, smallest_displacement));
+      if (error < settled || (error > 0.5 * last && error < nearly_settled)) break;
+      last = error;
     }
     u.segment(part.first, part.size) = own;
     part.forces.accept(*part.motion, 0);
