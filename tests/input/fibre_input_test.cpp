@@ -17,6 +17,7 @@
 #include <pounding/input/frames/frame_input.hpp>
 #include <pounding/input/frames/whole_members.hpp>
 #include <pounding/input/read_model.hpp>
+#include <pounding/input/resolved.hpp>
 #include <pounding/reports/describe.hpp>
 #include <pounding/reports/plausible.hpp>
 #include <pounding/sections/moment_curvature.hpp>
@@ -261,6 +262,8 @@ TEST(FibreInput, WrongSectionsAreRefused) {
   const std::string rc = "{rc_rectangle: {width: 0.4, depth: 0.4, cover: 0.04, core: core, shell: cover, bars: bars, ";
   refused(one(rc + "top: 4 x 20, bottom: 4 d20}}"), at("6:104", "sections.one.rc_rectangle.top"),
           mentions({"4 d20", "4 x 20"}));
+  refused(one(rc + "top: 2000000000 d20, bottom: 4 d20}}"), at("6:104", "sections.one.rc_rectangle.top"),
+          mentions({"1000"}));
   refused(one(rc + "top: 4 d20, bottom: 4 d20, sides: 3 d20}}"), at("6:133", "sections.one.rc_rectangle.sides"),
           mentions({"even"}));
   refused(one("{rc_rectangle: {width: 0.4, depth: 0.4, cover: 0.04, core: cor, shell: cover, bars: bars, top: 4 d20, "
@@ -310,14 +313,68 @@ TEST(FibreInput, CheckPrintsTheModuliNextToThoseOfTheCode) {
   EXPECT_TRUE(test::mentions(warning, {"core", "18 GPa", "44 %", "32.31 GPa", "epsc0", "E0"})) << warning;
 }
 
-TEST(FibreInput, Steel02AndRigidFloorsAreWarnedAbout) {
+// Beam of the reference: 0.3 x 0.5 m with 1000 mm2 at top and bottom.
+const std::string beam =
+    "{rc_rectangle: {width: 0.3 m, depth: 0.5 m, cover: 40 mm, core: core, shell: cover, bars: bars, top: 4 "
+    "d17.841241161527712, bottom: 4 d17.841241161527712}}";
+const std::string reference_grid =
+    "grid: {storeys: 3, bays: 1, storey_height: 3.2 m, bay_width: 6 m, columns: column, beams: beam, floor_mass: 40 "
+    "t}\n";
+
+// The same frame with EA and EI by hand, see above; beams have no side bars.
+TEST(FibreInput, AFrameHasThePeriodOfItsElasticSections) {
+  const auto rigidities = [](double width, double depth, double bars, double middle) {
+    const double inner = (width - 0.08) * (depth - 0.08), arm = depth / 2 - 0.04;
+    const double core = (width - 0.08) * std::pow(depth - 0.08, 3) / 12;
+    return std::pair(18e9 * inner + 28e9 * (width * depth - inner) + 200e9 * (2 * bars + middle),
+                     18e9 * core + 28e9 * (width * std::pow(depth, 3) / 12 - core) + 200e9 * 2 * bars * arm * arm);
+  };
+  std::string elastic = "material: {E: 1 Pa, G: 1 Pa}\nsections:\n";
+  for (const auto& [name, of] : {std::pair{"column", rigidities(0.4, 0.4, 1200e-6, 800e-6)},
+                                 std::pair{"beam", rigidities(0.3, 0.5, 1000e-6, 0)}})
+    elastic += fmt::format("  {}: {{area: {}, inertia_y: {}}}\n", name, of.first, of.second);
+  const double expected = model(elastic + reference_grid).structures[0].frequencies[0];
+  const double found = model(materials + sections(beam) + reference_grid).structures[0].frequencies[0];
+  EXPECT_NEAR(found, expected, 5e-4 * expected);  // second moments of 24 layers
+}
+
+// An independent program: 205 and 419 kN m at 0.02 1/m, with -1.6 MN.
+TEST(FibreInput, RigidFloorsOverBeamsOfFibresAreWarnedAbout) {
+  std::string frame = materials + sections(beam) + reference_grid + "fibres: {members: beams, regularized: none}\n";
+  EXPECT_EQ(implausible(model(frame)).size(), 1u);  // E0
+  frame.insert(frame.find("floor_mass"), "rigid_floors: true, ");
+  const Model rigid = model(frame);
+  const auto& restraint = rigid.structures[0].fibre_sections.at(1).restraint.value();
+  EXPECT_EQ(restraint.beams, 3);
+  EXPECT_NEAR(restraint.moment, 419e3, 500);
+  EXPECT_NEAR(restraint.free_moment, 205e3, 500);
+  EXPECT_NEAR(restraint.axial_force, -1.6e6, 5e4);
+  const std::vector<std::string> warnings = implausible(rigid);
+  ASSERT_EQ(warnings.size(), 2u);
+  EXPECT_TRUE(test::mentions(warnings[1], {"3 beams", "section beam", "0.02 1/m", "rigid_floors: false", "diaphragm"}))
+      << warnings[1];
+}
+
+TEST(FibreInput, Steel02IsWarnedAboutWhereItYields) {
   std::string frame = materials + sections("{rectangle: [0.3 m, 0.5 m], material: other}") + grid;
   frame.insert(frame.find("sections:"), "  other: {steel02: {Fy: 355 MPa, E: 200 GPa, b: 0.01}}\n");
-  frame.insert(frame.find("floor_mass"), "rigid_floors: true, ");
+  EXPECT_EQ(implausible(model(frame)).size(), 1u);  // E0
   const std::vector<std::string> warnings = implausible(model(frame + "fibres: {members: beams}\n"));
-  ASSERT_EQ(warnings.size(), 3u);
+  ASSERT_EQ(warnings.size(), 2u);
   EXPECT_TRUE(test::mentions(warnings[1], {"other", "steel02", "menegotto_pinto", "0.36 Fy"})) << warnings[1];
-  EXPECT_TRUE(test::mentions(warnings[2], {"2 beams", "0.02 1/m", "rigid_floors: false"})) << warnings[2];
+}
+
+TEST(FibreInput, TheResolvedModelContainsConfinedValues) {
+  std::string frame = materials + sections(beam) + reference_grid;
+  frame.insert(frame.find("sections:"),
+               "  inner: {confined: {of: cover, width: 330 mm, depth: 330 mm, bars: 10 d20, hoops: 10 mm, spacing: 100 "
+               "mm, fyh: 420 MPa}}\n");
+  frame.replace(frame.find("core: core"), 10, "core: inner");
+  const Model read = model(frame);
+  const std::string text = resolved_yaml(read);
+  EXPECT_NE(text.find("fibre_sections:"), text.npos);
+  EXPECT_NE(text.find("fcc:"), text.npos);
+  EXPECT_TRUE(test::mentions(describe(read), {"inner: concrete02", "confined: ke", "fcc", "MPa", "ecu"}));
 }
 
 }  // namespace fibre_input_test

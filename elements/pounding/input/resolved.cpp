@@ -107,6 +107,20 @@ void add_parts(Resolved& to, const Structure& s) {
   if (const double period = isolated_period(s); std::isfinite(period)) to["isolated_period"] = period;
 }
 
+// Sections of fibres by name, with the initial moduli of their materials and the values of confined concrete.
+void add_fibre_sections(Resolved& to, const Structure& s) {
+  for (const FibreSectionReport& section : s.fibre_sections) {
+    Resolved laws = Resolved::object();
+    for (const FibreSectionReport::Law& law : section.laws) {
+      Resolved one{{"law", law.law}, {"modulus", law.modulus}};
+      for (const YieldingPart::Parameter& value : law.confinement) one[value.name] = value.value;
+      add(laws, law.name, std::move(one));
+    }
+    add(to["fibre_sections"], section.name,
+        {{"area", section.area}, {"bending_stiffness", section.bending_stiffness}, {"materials", std::move(laws)}});
+  }
+}
+
 // Adds properties of a frame without its matrices, which are too large.
 void add_frame(Resolved& to, const Structure& s) {
   std::vector<double> masses, elevations;
@@ -125,6 +139,7 @@ void add_frame(Resolved& to, const Structure& s) {
              {"floor_elevation", elevations},
              {"load_along_x", mass},
              {"periods", periods(s)}});
+  add_fibre_sections(to, s);
   if (supports.size() > 1) to["supports"] = supports;
 }
 

@@ -16,7 +16,7 @@ namespace pounding {
 /// - E: Young's modulus below 100 MPa
 /// - E0: a concrete of fibres whose initial modulus differs from that of EN 1992-1-1 by more than 25 %
 /// - steel02: fibres with this law, to which no tolerance applies
-/// - diaphragm: a rigid floor that restrains beams of fibres axially
+/// - diaphragm: a rigid floor whose axial restraint raises the moment of beams of fibres by more than 5 %
 /// - yield: a storey that yields at less than 0.01 mm of drift, or a hinge at less than 0.02 mrad
 /// - rotation: an ultimate rotation of a hinge above 0.5 rad
 /// - Lambda: an energy capacity Lambda of a deteriorating spring above 20, which may be lambda

@@ -11,6 +11,7 @@ namespace pounding {
 namespace {
 
 constexpr double largest_modulus_difference = 0.25;
+constexpr double largest_restraint = 1.05;  // ratio of moments
 
 std::string gigapascal(double modulus) { return format_quantity(modulus, dimension::stress, 4); }
 
@@ -68,7 +69,7 @@ std::vector<Warning> warnings_about_fibres(const Structure& s) {
                          law.law == "concrete04" ? "; check Ec"
                                                  : "; it is 2 fpc/epsc0: check epsc0, or type concrete04 with Ec")});
     }
-    if (const auto& by = section.restraint)
+    if (const auto& by = section.restraint; by && by->moment > largest_restraint * by->free_moment)
       warnings.push_back(
           {"diaphragm",
            fmt::format("structure {}: rigid floors keep the length of {} beam{} with the section {}: at a curvature of "

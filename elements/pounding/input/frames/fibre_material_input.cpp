@@ -106,9 +106,11 @@ sections::Bars read_bars(const Input& node) {
   const bool has_count =
       error == std::errc{} && text.find_first_not_of(' ', static_cast<std::size_t>(end - begin)) == d;
   double diameter = 0;
-  if (d == text.npos || !has_count || count < 1 || !parse_number(text.substr(d + 1), diameter) || !(diameter > 0))
-    node.fail(fmt::format("takes a number of bars and their diameter in mm such as \"4 d20\"; \"{}\" was read",
-                          excerpt(text)));
+  if (d == text.npos || !has_count || count < 1 || count > 1000 || !parse_number(text.substr(d + 1), diameter) ||
+      !(diameter > 0))
+    node.fail(
+        fmt::format("takes a number of bars up to 1000 and their diameter in mm such as \"4 d20\"; \"{}\" was read",
+                    excerpt(text)));
   return {count, sections::bar_area(diameter * 1e-3)};
 }
 

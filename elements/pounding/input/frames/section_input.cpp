@@ -132,7 +132,9 @@ SectionLibrary::SectionLibrary(const Input& frame, int dimension) : dimension_(d
 }
 
 Section SectionLibrary::section(const Input& node) const {
-  if (node.is_map()) return read(node, node.path());
+  // The path within the frame names a section that is typed at its place of use: "grid.columns".
+  const std::size_t frame = node.path().find("frame.");
+  if (node.is_map()) return read(node, node.path().substr(frame == std::string::npos ? 0 : frame + 6));
   const std::string name = node.as_text();
   if (const auto found = sections_.find(name); found != sections_.end()) return found->second;
   if (sections_.empty() || placed(node, [&] { return find_profile(name); })) return read_profile(node, name);

@@ -44,7 +44,7 @@ constexpr Key patch_keys[] = {
      "Four corners [y, z] in order around a convex quadrilateral.",
      "[[-0.2 m, -0.2 m], [0.2 m, -0.2 m], [0.2 m, 0.2 m], [-0.2 m, 0.2 m]]", "0.3.0"},
     {"ring", map(patch_ring), exactly_one, "Ring or circle.", "{outer: 0.25 m}", "0.3.0"},
-    {"cells", integer(1, 1000).list(2), required,
+    {"cells", integer(1, 200).list(2), required,
      "Number of cells along y and z, along the first two sides of a quadrilateral, or along the radius and around.",
      "[1, 24]", "0.3.0"},
     {"material", text(), required, "Law of the fibres: a name from materials.", "core", "0.3.0"},
