@@ -72,8 +72,13 @@ Bending bend(const FibreSection& section, double axial_force, std::span<const do
     }
     return ratio;
   });
-  result.yield_curvature = yield.curvature;
-  result.yield_moment = yield.moment;
+  if (yield.curvature > 0) {
+    // The moment is not linear between two points of the curve.
+    std::vector<double> path(curvatures.begin(), std::ranges::lower_bound(curvatures, yield.curvature));
+    path.push_back(yield.curvature);
+    result.yield_curvature = yield.curvature;
+    result.yield_moment = resisted_curve(section, axial_force, path, axis).back().moment;
+  }
   for (const CurvePoint& point : result.curve) result.largest_moment = std::max(result.largest_moment, point.moment);
   // The cover may spall before the core crushes.
   std::size_t ductile = 0;
