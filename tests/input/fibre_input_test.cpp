@@ -291,6 +291,8 @@ TEST(FibreInput, WrongMembersAreRefused) {
   refused(frame + "fibres: {rul: lobatto}\n", at("9:10", "fibres"), mentions({"rul", "rule"}));
   refused(frame + "hinges: {beams: {at: both, yield_moment: 210 kN m}}\nfibres: {members: beams}\n",
           at("10:9", "fibres"), mentions({"beam x 1.0", "hinge"}));
+  refused(frame + "members: {column 1.0: {material: {E: 30 GPa}}}\n", at("8:7", "grid"),
+          mentions({"column 1.0", "fibres", "material"}));
   const std::string elastic = materials + sections("{rectangle: [0.3, 0.5]}") + grid + "material: {E: 30 GPa}\n";
   refused(elastic + "fibres: {members: beams}\n", at("10:19", "fibres.members"), mentions({"beams", "fibres"}));
 }

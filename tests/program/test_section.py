@@ -62,6 +62,17 @@ class Section(ProgramTest):
         moments = np.array(block["interaction"]["moment"]) / (1.5 * yields)
         np.testing.assert_allclose(moments, 1 - forces**2, rtol=0, atol=4e-3)
 
+    def test_a_section_in_space_bends_about_both_axes(self):
+        """Plastic moments fy b h^2/4 and fy h b^2/4."""
+        steel = "{steel01: {Fy: 250 MPa, E0: 200 GPa, b: 0}}"
+        shape = "{rectangle: [0.2 m, 0.4 m], material: steel, layers: 40, across: 40}"
+        frame = f"{{dimension: 3, materials: {{steel: {steel}}}, sections: {{s: {shape}}}}}"
+        model = self.write(f"structures: {{a: {{frame: {frame}}}}}\n")
+        for axis, moment in (("y", 250e6 * 0.2 * 0.4**2 / 4), ("z", 250e6 * 0.4 * 0.2**2 / 4)):
+            done = self.pounding("section", model, "--axial", "0", "--axis", axis, "--curvature", "0.5", "--json")
+            (section,) = json.loads(done.stdout)["sections"]
+            self.assertAlmostEqual(section["curves"][0]["largest_moment"] / moment, 1, delta=2e-3)
+
     def test_the_text_has_the_values_of_the_json(self):
         done = self.pounding("section", self.write(MODEL), "column", "--axial", "0, -1 MN", "--curvature", "0.06")
         self.assertEqual((done.returncode, done.stderr), (0, ""))
