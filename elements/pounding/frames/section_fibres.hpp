@@ -34,7 +34,7 @@ struct SectionFibres {
   std::string name;
   std::vector<FibreMaterial> materials;  ///< in the order of the indices of fibres
   sections::FibreSection section;
-  /// Of a member with the initial stiffness of the fibres. It replaces the material of the member.
+  /// Elastic material with the initial stiffness of the fibres. It replaces the material of the member.
   Material material;
 };
 

@@ -72,7 +72,7 @@ class FibreMembersReader {
     return {items[0].as_quantity(), items[1].as_quantity()};
   }
 
-  // Those of some members that have fibres. Fails if there are none.
+  // Members with fibres, of some members. Fails if there are none.
   std::vector<WholeMember> with_fibres(std::vector<WholeMember> members, const std::string& group,
                                        const Input& location) const {
     std::erase_if(members, [&](const WholeMember& whole) { return !section(whole.first).fibres; });
