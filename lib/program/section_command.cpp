@@ -91,7 +91,8 @@ BentSection bend_section(const SectionArguments& given, const NamedSection& name
   BentSection bent{named, axis, {}, {}};
   try {
     for (const double force : forces) bent.bendings.push_back(sections::bend(section, force, curvatures, axis));
-    bent.diagram = sections::interaction(section, sections::forces_of_diagram(section), curvatures, axis);
+    for (const double force : sections::forces_of_diagram(section))
+      bent.diagram.push_back({force, sections::bend(section, force, curvatures, axis).largest_moment});
   } catch (const std::invalid_argument& error) {
     throw InputError(fmt::format("section {}: {}", named.name(), error.what()));
   }

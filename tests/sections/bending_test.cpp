@@ -35,6 +35,14 @@ TEST(Bending, AReinforcedColumnYieldsAndCrushes) {
   EXPECT_TRUE(found.crushes);
   EXPECT_NEAR(at(found.ultimate_curvature) - found.ultimate_curvature * 0.16 * 23 / 24, -0.03, 1e-9);
   EXPECT_EQ(bend(column, -500e3, path_to(0.02)).ultimate_curvature, 0);
+  // The hardening of the bars raises the moment again after the core has crushed.
+  double before = 0, after = 0;
+  for (const CurvePoint& point : found.curve) {
+    double& largest = point.curvature <= found.ultimate_curvature ? before : after;
+    largest = std::max(largest, point.moment);
+  }
+  EXPECT_EQ(found.largest_moment, before);
+  EXPECT_GT(after, before);
 }
 
 TEST(Bending, ASectionOfElasticSteelNeverYields) {

@@ -79,7 +79,6 @@ Bending bend(const FibreSection& section, double axial_force, std::span<const do
     result.yield_curvature = yield.curvature;
     result.yield_moment = resisted_curve(section, axial_force, path, axis).back().moment;
   }
-  for (const CurvePoint& point : result.curve) result.largest_moment = std::max(result.largest_moment, point.moment);
   // The cover may spall before the core crushes.
   std::size_t ductile = 0;
   for (std::size_t i = 0; i < limits.size(); ++i) {
@@ -95,6 +94,9 @@ Bending bend(const FibreSection& section, double axial_force, std::span<const do
     return (largest - point.moment) / (0.2 * largest);
   });
   result.crushes = crushed.curvature > 0 && !(fallen.curvature > 0 && fallen.curvature < crushed.curvature);
+  for (const CurvePoint& point : result.curve)
+    if (!result.crushes || point.curvature <= crushed.curvature)
+      result.largest_moment = std::max(result.largest_moment, point.moment);
   result.ultimate_curvature = result.crushes ? crushed.curvature : fallen.curvature;
   return result;
 }

@@ -15,7 +15,7 @@ struct Bending {
   std::vector<CurvePoint> curve;  ///< from the undeformed section, as far as it resists the force
   /// First yield: steel at its yield strain, or concrete at the strain of its strength. Zero if it is not reached.
   double yield_curvature = 0, yield_moment = 0;
-  double largest_moment = 0;
+  double largest_moment = 0;  ///< before crushing [N m]
   /// First curvature at which the moment has fallen to 80 % of the largest one, or the most ductile concrete is at its
   /// crushing strain; zero if it is not reached.
   double ultimate_curvature = 0;
