@@ -81,9 +81,13 @@ Eigen::Matrix<double, 6, 7> basic_of_corotation() {
   return b;
 }
 
-const Eigen::Matrix<double, 6, 7> to_basic_in_space = basic_of_corotation();
-
 constexpr std::array plane_dofs{0, 2, 4, 6, 8, 10};
+
+/// Slow iterations after which softening sections have a bounded flexibility, and every such number of iterations
+/// takes half of its step, which ends cycles between two sides of a corner.
+constexpr int max_slow = 4;
+/// Largest change of section strains in an iteration: larger ones overshoot the corners of the materials.
+constexpr double max_change = 0.003;
 
 }  // namespace
 
@@ -109,7 +113,8 @@ FibreMember::FibreMember(const Eigen::Vector3d& start_node, const Eigen::Vector3
 
   const bool by_forces = options_.formulation == MemberFormulation::force;
   options_.rule.check();
-  if (!by_forces && !options_.rule.elastic.empty()) refuse("a rule with elastic points needs the formulation by forces");
+  if (!by_forces && !options_.rule.elastic.empty())
+    refuse("a rule with elastic points needs the formulation by forces");
   for (const double shear : {options_.shear_stiffness_y, options_.shear_stiffness_z}) {
     if (!(shear > 0)) laws::refuse("shear stiffness", shear, "positive");
     if (!by_forces && std::isfinite(shear)) refuse("shear deformation needs the formulation by forces");
@@ -173,6 +178,7 @@ void FibreMember::begin(const State& state, Iterate& iterate) const {
   iterate.deformations = head<6>(state.basic_deformations);
   iterate.sections.resize(shapes_.size());
   for (std::size_t k = 0; k < shapes_.size(); ++k) iterate.sections[k].deformation = state.deformations[k];
+  iterate.change = 0, iterate.slow = 0;
   iterate.times.clear();
   iterate.stages.clear();
   is_plane_ ? evaluate<2>(state, iterate) : evaluate<3>(state, iterate);
@@ -181,30 +187,35 @@ void FibreMember::begin(const State& state, Iterate& iterate) const {
 template <int section_size>
 double FibreMember::correct(Iterate& iterate, const Vector6& deformations) const {
   constexpr int size = basic_size<section_size>;
+  using Basic = Eigen::Matrix<double, size, 1>;
+  using Section = Eigen::Matrix<double, section_size, 1>;
+  const Basic v = deformations.head<size>();
+  const Basic missing = iterate.residual.head<size>() + v - iterate.deformations.head<size>();
+  const Basic change = iterate.stiffness.topLeftCorner<size, size>() * missing;
   const bool by_forces = options_.formulation == MemberFormulation::force;
-  const auto v = deformations.head<size>();
-  const Eigen::Matrix<double, size, 1> change =
-      iterate.stiffness.topLeftCorner<size, size>() *
-      (iterate.residual.head<size>() + v - iterate.deformations.head<size>());
-  if (by_forces) iterate.forces.head<size>() += change;
-  iterate.residual.setZero();
   iterate.deformations.head<size>() = v;
   double largest = 0;
   for (std::size_t k = 0; k < shapes_.size(); ++k) {
     auto& section = iterate.sections[k];
     const auto shape = shapes_[k].topLeftCorner<section_size, size>();
-    auto e = head<section_size>(section.deformation);
-    auto r = head<section_size>(section.residual);
-    Eigen::Matrix<double, section_size, 1> step;
+    auto step = head<section_size>(section.change);
     if (by_forces)
-      step = section.flexibility.topLeftCorner<section_size, section_size>() * (shape * change + r);
+      step = section.flexibility.topLeftCorner<section_size, section_size>() *
+             Section(shape * change + head<section_size>(section.residual));
     else
-      step = shape * v - e;
-    r.setZero();
-    e += step;
+      step = shape * v - head<section_size>(section.deformation);
     double strain = 0;
     for (int i = 0; i < section_size; ++i) strain += scale_[i] * std::abs(step[i]);
     largest = std::max(largest, strain);
+  }
+  double fraction = 1;
+  if (by_forces && largest > max_change) fraction = max_change / largest;
+  if (by_forces && iterate.slow >= max_slow && iterate.slow % max_slow == 0) fraction *= 0.5;
+  if (by_forces) iterate.forces.head<size>() += fraction * change;
+  iterate.residual.head<size>() = (1 - fraction) * missing;
+  for (auto& section : iterate.sections) {
+    head<section_size>(section.deformation) += fraction * head<section_size>(section.change);
+    head<section_size>(section.residual) *= 1 - fraction;
   }
   return largest;
 }
@@ -232,7 +243,9 @@ void FibreMember::evaluate(const State& state, Iterate& iterate) const {
     if (by_forces) {
       auto r = head<section_size>(section.residual);
       r = shape * q - s;
-      const bool is_singular = !(stiffness.determinant() > 1e-9 * initial_determinant_);
+      const double determinant = stiffness.determinant();
+      const double size_of_it = iterate.slow < max_slow ? std::abs(determinant) : determinant;
+      const bool is_singular = !(size_of_it > 1e-9 * initial_determinant_);
       const SectionMatrix flexibility =
           is_singular ? bounded(stiffness, initial_section_).inverse().eval() : stiffness.inverse().eval();
       section.flexibility.topLeftCorner<section_size, section_size>() = flexibility;
@@ -263,6 +276,9 @@ double FibreMember::linearize_in(const State& state, Iterate& iterate, const Vec
   double change = 0;
   const auto step = [&](const Vector6& deformations) {
     change = correct<section_size>(iterate, deformations);
+    const bool is_slow = change > 1e-10 && change > 0.5 * iterate.change;
+    iterate.slow = is_slow || iterate.slow >= max_slow ? iterate.slow + 1 : 0;
+    iterate.change = change;
     evaluate<section_size>(state, iterate);
     return iterate.linearized_forces();
   };
@@ -291,9 +307,10 @@ double FibreMember::linearize_in(const State& state, Iterate& iterate, const Vec
     tangent = corotation_->tangent(motion, q, iterate.stiffness.topLeftCorner<3, 3>());
   } else {
     const Corotation::Space motion = corotation_->space(u);
-    const Corotation::Vector7 q = to_basic_in_space.transpose() * step(to_basic_in_space * motion.deformations);
+    const auto to_basic = basic_of_corotation();
+    const Corotation::Vector7 q = to_basic.transpose() * step(to_basic * motion.deformations);
     force = corotation_->nodal_forces(motion, u, q);
-    tangent = corotation_->tangent(motion, u, q, to_basic_in_space.transpose() * iterate.stiffness * to_basic_in_space);
+    tangent = corotation_->tangent(motion, u, q, to_basic.transpose() * iterate.stiffness * to_basic);
   }
   return change;
 }
@@ -309,7 +326,7 @@ Vector6 FibreMember::basic_deformations(const Vector12& u) const {
   if (corotation_ && is_plane_)
     v.head<3>() = corotation_->plane(u).deformations;
   else if (corotation_)
-    v = to_basic_in_space * corotation_->space(u).deformations;
+    v = basic_of_corotation() * corotation_->space(u).deformations;
   else if (is_plane_)
     v.head<3>() = to_basic_.topLeftCorner<3, 6>() * u(plane_dofs);
   else
@@ -324,6 +341,7 @@ double FibreMember::update(Iterate& iterate, const Vector12& displacements) cons
 
 void FibreMember::record_stage(Iterate& iterate, double time) const {
   if (!(time > 0)) laws::refuse("time of a stage since the beginning of its step", time, "positive");
+  iterate.change = 0, iterate.slow = 0;
   iterate.times.push_back(time);
   for (const auto& section : iterate.sections) iterate.stages.push_back(section.deformation);
 }
@@ -388,7 +406,7 @@ Vector12 FibreMember::nodal_forces(const Vector6& q, const Vector12& u) const {
 
 Vector12 FibreMember::end_forces(const Vector6& q, const Vector12& u) const {
   if (corotation_ && is_plane_) return corotation_->end_forces(corotation_->plane(u), q.head<3>());
-  if (corotation_) return corotation_->end_forces(corotation_->space(u), to_basic_in_space.transpose() * q);
+  if (corotation_) return corotation_->end_forces(corotation_->space(u), basic_of_corotation().transpose() * q);
   return basic_of_ends(length_).transpose() * q +
          chord_stiffness(options_.axial_force, length_, is_plane_) * (to_local_ * u);
 }

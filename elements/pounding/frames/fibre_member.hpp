@@ -48,6 +48,10 @@ struct FibreMemberOptions {
 ///     dq = G (g + dv),  de = f (b dq + r)
 ///     forces A^T (q + G g),  tangent A^T G A + K_geo,  A = dv/du
 ///
+/// Steps beyond a strain of 0.003 are shortened. A singular section, and a softening one if the iteration converges
+/// slowly, has a bounded positive flexibility instead, so that a member whose force jumps at fixed displacements, as
+/// softening ones can, finds a state. Residuals remain exact.
+///
 /// By displacements: e = a v, q = sum w a^T s(e); there are no inner unknowns.
 class FibreMember {
  public:
@@ -56,8 +60,8 @@ class FibreMember {
 
   /// Accepted state.
   struct State {
-    std::vector<sections::FibreStates> fibres;       ///< of each section
-    std::vector<sections::Deformation> deformations; ///< of each section
+    std::vector<sections::FibreStates> fibres;        ///< of each section
+    std::vector<sections::Deformation> deformations;  ///< of each section
     Basic forces{}, basic_deformations{};
     double work = 0;            ///< of the section forces since the undeformed state [J]
     double largest_strain = 0;  ///< of any fibre so far [-]
@@ -70,7 +74,8 @@ class FibreMember {
   struct Iterate {
     struct Section {
       sections::Deformation deformation{};
-      std::array<double, 3> residual{};                    ///< r, of equilibrium
+      std::array<double, 3> change{};                         ///< of the deformation in the last iteration
+      std::array<double, 3> residual{};                       ///< r, of equilibrium
       Eigen::Matrix3d flexibility = Eigen::Matrix3d::Zero();  ///< f
     };
     using Vector6 = Eigen::Matrix<double, 6, 1>;
@@ -79,8 +84,10 @@ class FibreMember {
     Vector6 residual = Vector6::Zero();      ///< g
     Matrix6 stiffness = Matrix6::Zero();     ///< G
     std::vector<Section> sections;
-    std::vector<double> times;                         ///< of recorded stages, since the beginning of the step
-    std::vector<sections::Deformation> stages;         ///< section deformations, stage by stage
+    double change = 0;  ///< of section strains in the last iteration
+    int slow = 0;       ///< iterations of this stage since one that halved the change, or since slow convergence
+    std::vector<double> times;                  ///< of recorded stages, since the beginning of the step
+    std::vector<sections::Deformation> stages;  ///< section deformations, stage by stage
 
     /// Basic forces at which the linearized residuals are zero.
     Vector6 linearized_forces() const { return forces + stiffness * residual; }
@@ -97,7 +104,7 @@ class FibreMember {
   void begin(const State& state, Iterate& iterate) const;
   /// One Newton iteration: updates the iterate for these displacements of the nodes, evaluates each section, and sets
   /// the forces on the nodes and the tangent, in global axes. Returns the change of section strains in this iteration
-  /// [-]; once it is zero, results depend on state and displacements only.
+  /// (not shortened) [-]; once it is zero, results depend on state and displacements only.
   double linearize(const State& state, Iterate& iterate, const Vector12& displacements, Vector12& force,
                    Matrix12& tangent) const;
   /// Updates the iterate for these displacements by its last linearization, without evaluating the sections. Returns
@@ -126,7 +133,7 @@ class FibreMember {
   /// Tangent of the undeformed state without axial force at rest, global axes.
   Matrix12 initial_stiffness() const;
 
-  double length() const { return length_; }                       ///< between the ends of the offsets [m]
+  double length() const { return length_; }  ///< between the ends of the offsets [m]
   const IntegrationRule& rule() const { return options_.rule; }
   const sections::FibreSection& section() const { return *section_; }
 
@@ -146,13 +153,13 @@ class FibreMember {
   FibreMemberOptions options_;
   bool is_plane_;
   double length_;
-  std::array<double, 3> scale_;            // strain per section deformation: 1, half depth, half width
-  std::vector<Interpolation> shapes_;      // of each section
-  std::vector<double> weights_;            // times the length
-  Matrix6 elastic_flexibility_;            // of elastic points, shear and torsion
-  double initial_determinant_;             // of the section stiffness
-  Eigen::Matrix3d initial_section_;        // stiffness
-  Matrix12 to_local_;                      // displacements of the nodes, global -> of the ends, local
+  std::array<double, 3> scale_;        // strain per section deformation: 1, half depth, half width
+  std::vector<Interpolation> shapes_;  // of each section
+  std::vector<double> weights_;        // times the length
+  Matrix6 elastic_flexibility_;        // of elastic points, shear and torsion
+  double initial_determinant_;         // of the section stiffness
+  Eigen::Matrix3d initial_section_;    // stiffness
+  Matrix12 to_local_;                  // displacements of the nodes, global -> of the ends, local
   // Small displacements. In the plane the first three rows and six columns, for ux, uz, ry of both nodes.
   Eigen::Matrix<double, 6, 12> to_basic_;
   Matrix12 geometric_;

@@ -20,10 +20,12 @@ class Lanes {
   using State = typename M::State;
   using Branch = typename M::Branch;
   static constexpr std::size_t numbers = sizeof(Branch) / sizeof(double);
+
+ public:
+  /// True if branches are stored number by number.
   static constexpr bool in_lanes = sizeof(Branch) % sizeof(double) == 0 && numbers <= 16;
   static_assert(in_lanes || std::is_same_v<Branch, State>);
 
- public:
   /// Undeformed fibres.
   Lanes(const M& law, std::size_t count) : states_(count), branches_(in_lanes ? count * numbers : 0) {
     for (std::size_t i = 0; i < count; ++i) update(law, i);

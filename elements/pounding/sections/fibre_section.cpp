@@ -185,9 +185,28 @@ bool FibreSection::may_reverse(const StageSamples& samples) const noexcept {
 
 double FibreSection::work(const FibreStates& states, const Deformation& deformation) const noexcept {
   double sum = 0;
-  each(states, [&](const auto& law, const auto& lanes, std::size_t i, std::size_t index) {
-    sum += area_[i] * law.work(lanes.states()[index], strain_at(deformation, y_[i], z_[i]));
-  });
+  alignas(64) std::array<double, chunk> begin_strain, begin_stress, stress, slope;
+  each_chunk(states, deformation,
+             [&]<class M>(const M& law, const materials::Lanes<M>& lanes, std::size_t begin, std::size_t index,
+                          std::size_t count, const double* strain) {
+               const auto fibres = lanes.states().subspan(index, count);
+               if constexpr (materials::Lanes<M>::in_lanes) {
+                 for (std::size_t i = 0; i < count; ++i) begin_strain[i] = fibres[i].deformation;
+                 lanes.respond(law, index, count, begin_strain.data(), begin_stress.data(), slope.data());
+                 lanes.respond(law, index, count, strain, stress.data(), slope.data());
+               }
+               for (std::size_t i = 0; i < count; ++i) {
+                 if constexpr (materials::Lanes<M>::in_lanes) {
+                   // Most paths are straight lines of unloading or elastic fibres; they need no search for corners.
+                   const double path = strain[i] - begin_strain[i], rise = stress[i] - begin_stress[i];
+                   if (std::abs(rise - slope[i] * path) <= 1e-13 * law.stiffness() * std::abs(path)) {
+                     sum += area_[begin + i] * (0.5 * (stress[i] + begin_stress[i]) * path);
+                     continue;
+                   }
+                 }
+                 sum += area_[begin + i] * law.work(fibres[i], strain[i]);
+               }
+             });
   return sum;
 }
 
