@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <utility>
 
 #include <pounding/core/refuse.hpp>
@@ -13,7 +12,6 @@
 namespace pounding {
 namespace {
 
-using sections::Deformation;
 using Vector6 = FibreMember::Iterate::Vector6;
 
 /// Sizes of a plane member (two section deformations) and of a member in space (three).
@@ -91,12 +89,6 @@ constexpr double max_change = 0.003;
 
 }  // namespace
 
-void FibreMember::State::archive(Archive& archive) {
-  for (sections::FibreStates& states : fibres)
-    for (auto& lanes : states) std::visit([&](auto& of_material) { of_material.archive(archive); }, lanes);
-  archive(deformations, forces, basic_deformations, work, largest_strain);
-}
-
 FibreMember::FibreMember(const Eigen::Vector3d& start_node, const Eigen::Vector3d& end_node, const BeamOptions& options,
                          std::shared_ptr<const sections::FibreSection> section, FibreMemberOptions fibres,
                          int dimension)
@@ -164,13 +156,6 @@ FibreMember::Interpolation FibreMember::interpolation(double at) const {
   b(1, 1) = first, b(1, 2) = second;
   if (!is_plane_) b(2, 3) = first, b(2, 4) = second;
   return b;
-}
-
-FibreMember::State FibreMember::undeformed() const {
-  State state;
-  state.fibres.assign(shapes_.size(), section_->states());
-  state.deformations.resize(shapes_.size());
-  return state;
 }
 
 void FibreMember::begin(const State& state, Iterate& iterate) const {
@@ -337,60 +322,6 @@ Vector6 FibreMember::basic_deformations(const Vector12& u) const {
 double FibreMember::update(Iterate& iterate, const Vector12& displacements) const {
   const Vector6 v = basic_deformations(displacements);
   return is_plane_ ? correct<2>(iterate, v) : correct<3>(iterate, v);
-}
-
-void FibreMember::record_stage(Iterate& iterate, double time) const {
-  if (!(time > 0)) laws::refuse("time of a stage since the beginning of its step", time, "positive");
-  iterate.change = 0, iterate.slow = 0;
-  iterate.times.push_back(time);
-  for (const auto& section : iterate.sections) iterate.stages.push_back(section.deformation);
-}
-
-bool FibreMember::accept(State& state, const Iterate& iterate, double min_reversal) const {
-  const std::size_t stages = iterate.times.size();
-  std::vector<std::size_t> order(stages);
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::ranges::sort(order, {}, [&](std::size_t i) { return iterate.times[i]; });
-  std::vector<double> times{0};
-  for (const std::size_t i : order) times.push_back(iterate.times[i]);
-  std::vector<Deformation> samples(stages + 1);
-  const auto& [low, high] = section_->extent();
-  bool any = false;
-  for (std::size_t k = 0; k < shapes_.size(); ++k) {
-    const Deformation& end = iterate.sections[k].deformation;
-    sections::FibreStates& fibres = state.fibres[k];
-    if (stages >= 2) {
-      samples.front() = state.deformations[k];
-      for (std::size_t i = 0; i < stages; ++i) samples[i + 1] = iterate.stages[order[i] * shapes_.size() + k];
-      samples.back() = end;
-      const sections::Accepted accepted = section_->accept(fibres, {times, samples}, min_reversal);
-      any = any || accepted.reversed;
-      state.work += weights_[k] * accepted.work;
-    } else {
-      state.work += weights_[k] * section_->work(fibres, end);
-      section_->accept(fibres, end);
-    }
-    for (const double y : {low.y, high.y})
-      for (const double z : {low.z, high.z})
-        state.largest_strain = std::max(state.largest_strain, std::abs(end[0] + z * end[1] - y * end[2]));
-    state.deformations[k] = end;
-  }
-  head<6>(state.forces) = iterate.forces;
-  head<6>(state.basic_deformations) = iterate.deformations;
-  return any;
-}
-
-double FibreMember::stored(const State& state) const {
-  const auto q = head<6>(state.forces);
-  double sum = 0.5 * q.dot(elastic_flexibility_ * q);
-  for (std::size_t k = 0; k < shapes_.size(); ++k) sum += weights_[k] * section_->stored(state.fibres[k]);
-  return sum;
-}
-
-double FibreMember::dissipated(const State& state) const {
-  double sum = state.work;
-  for (std::size_t k = 0; k < shapes_.size(); ++k) sum -= weights_[k] * section_->stored(state.fibres[k]);
-  return sum;
 }
 
 double FibreMember::potential(const Vector12& u) const {
