@@ -41,12 +41,12 @@ class Corotation {
     Chord chord;
     Eigen::Matrix3d axes;  // columns
     Vector7 deformations;
-    std::array<Eigen::Vector3d, 2> y, turn;                 // local y of the ends, and their rotations
-    std::array<finite_rotation::RotationMap, 2> inverse;    // from spin to the rate of `turn`
-    double slant, mean_y;                                   // of the mean local y: x/y, and y
-    Matrix3x12 axes_spin;                                   // due to the motion of the ends
-    std::array<Matrix3x12, 2> spin;                         // of the ends relative to the axes
-    Eigen::Matrix<double, 7, 12> by_ends;                   // derivative of the deformations
+    std::array<Eigen::Vector3d, 2> y, turn;               // local y of the ends, and their rotations
+    std::array<finite_rotation::RotationMap, 2> inverse;  // from spin to the rate of `turn`
+    double slant, mean_y;                                 // of the mean local y: x/y, and y
+    Matrix3x12 axes_spin;                                 // due to the motion of the ends
+    std::array<Matrix3x12, 2> spin;                       // of the ends relative to the axes
+    Eigen::Matrix<double, 7, 12> by_ends;                 // derivative of the deformations
   };
 
   /// Geometry of a beam: ends, offsets and axes.
