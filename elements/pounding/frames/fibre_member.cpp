@@ -331,7 +331,7 @@ double FibreMember::potential(const Vector12& u) const {
 
 Vector12 FibreMember::nodal_forces(const Vector6& q, const Vector12& u) const {
   if (corotation_ && is_plane_) return corotation_->nodal_forces(corotation_->plane(u), q.head<3>());
-  if (corotation_) return corotation_->nodal_forces(corotation_->space(u), u, to_basic_in_space.transpose() * q);
+  if (corotation_) return corotation_->nodal_forces(corotation_->space(u), u, basic_of_corotation().transpose() * q);
   return to_local_.transpose() * end_forces(q, u);
 }
 
