@@ -291,6 +291,40 @@ TEST(Hinges, LawsSpeakOfMoments) {
   refused(add(hysteresis::BoucWen{.exponent = -1}), {"left", "exponent", "-1"});
 }
 
+hysteresis::Hysteretic backbone() {
+  hysteresis::Hysteretic law;
+  law.s2p = 300e3, law.e2p = 0.03, law.s3p = 250e3, law.e3p = 0.06;
+  law.s2n = -150e3, law.s3n = -100e3;
+  return law;
+}
+
+// The first points are those of the moments and the stiffness of the hinge; p is sagging at both ends of a member.
+TEST(Hinges, ABackboneStartsAtTheYieldMoment) {
+  constexpr double k = yield / 0.01, hogging = 0.5 * yield;
+  for (const MemberEnd end : {MemberEnd::start, MemberEnd::end}) {
+    Frame frame = held_beam();
+    frame.add_hinge({.at = end, .yield_moment = yield, .hogging_moment = hogging, .stiffness = k, .law = backbone()});
+    const Structure s = made(frame);
+    const LoadedSpring spring(s.yielding[0].spring());
+    const double sagging = end == MemberEnd::start ? 1 : -1;
+    const auto moment = [&](double d) { return sagging * (k * sagging * d + spring.evaluate({sagging * d, 0}).force); };
+    EXPECT_NEAR(moment(0.02), 0.5 * (yield + 300e3), 1e-6);
+    EXPECT_NEAR(moment(0.045), 275e3, 1e-6);
+    EXPECT_NEAR(moment(-0.005), -hogging, 1e-6);
+    EXPECT_NEAR(moment(-0.03), -150e3, 1e-6);
+    EXPECT_NEAR(moment(-0.045), -125e3, 1e-6);
+    EXPECT_NEAR(s.yielding[0].parameter("spring_hardening"), (300e3 - yield) / 0.02 / k, 1e-12);
+    EXPECT_NEAR(s.yielding[0].limits.ductility({-0.005 * sagging, 0}, {-hogging * sagging, 0}), 1, 1e-12);
+  }
+  const auto add = [](const Hinge& hinge) { return [=] { held_beam().add_hinge(hinge); }; };
+  refused(add({.yield_moment = yield, .hardening = 0.1, .stiffness = k, .law = backbone()}),
+          {"left", "hysteretic", "remove hardening"});
+  refused(add({.yield_moment = yield, .stiffness = yield / 0.04, .law = backbone()}), {"left", "e2p", "0.04"});
+  hysteresis::Hysteretic set = backbone();
+  set.s1n = -1e5;
+  refused(add({.yield_moment = yield, .stiffness = k, .law = set}), {"left", "s1n", "hinge"});
+}
+
 const std::vector<hysteresis::HingeLaw> every_law{hysteresis::Bilinear{}, hysteresis::MenegottoPinto{},
                                                   hysteresis::BoucWen{}, hysteresis::PeakOriented{}};
 

@@ -225,7 +225,7 @@ TYPED_TEST(HysteresisContract, AStateIsItsBytes) {
 TYPED_TEST(HysteresisContract, WrongParametersAreRefused) {
   const Entry& entry = find_law(TypeParam::name);
   for (const ParameterInfo& p : entry.parameters)
-    for (const double wrong : {-1.0, std::nan(""), HUGE_VAL}) {
+    for (const double wrong : {p.typical < 0 ? 1.0 : -1.0, std::nan(""), HUGE_VAL}) {
       Settings s = typical_settings(entry);
       s.values.insert_or_assign(std::string(p.name), wrong);
       EXPECT_THROW(make_law(s), std::invalid_argument) << p.name << " = " << wrong;

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <pounding/hysteresis/all.hpp>
+#include "support/law_contract.hpp"
 #include "support/messages.hpp"
 
 namespace pounding::hysteresis {
@@ -78,24 +79,10 @@ L made_with_exponents() {
   return law;
 }
 
-/// Each stretch in three parts. `allowed` is a fraction of the maximum moment.
+/// `allowed` is a fraction of the maximum moment.
 template <Law L>
 void expect_loop(const L& law, const std::vector<double>& path, const std::vector<double>& forces, double allowed) {
-  law.check();
-  typename L::State kept;
-  double work = 0, all = 0;
-  for (std::size_t i = 0; i < path.size(); ++i) {
-    const double begin = kept.deformation;
-    EXPECT_NEAR(law.respond(kept, path[i]).force, forces[i], allowed * 270e3) << L::name << " at turn " << i;
-    for (const double d : {begin + (path[i] - begin) / 3, begin + 2 * (path[i] - begin) / 3, path[i]}) {
-      work += law.work(kept, d);
-      all += lost(law, kept, d);
-      kept = law.advance(kept, d);
-    }
-    EXPECT_NEAR(law.respond(kept, path[i]).force, forces[i], allowed * 270e3) << L::name << " in parts, turn " << i;
-    EXPECT_NEAR(all, work - law.stored(kept), 1e-9 * work);
-    EXPECT_GE(all, 0);
-  }
+  test::expect_loop(law, path, forces, allowed * 270e3);
 }
 
 // Reference: an independent Python program with every deterioration at its exact point.

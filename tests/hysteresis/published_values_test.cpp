@@ -386,7 +386,7 @@ TEST(ByName, EveryLawOfTheDesignIsThere) {
       names,
       "bilinear menegotto_pinto bouc_wen peak_oriented friction_pendulum lead_rubber elastomeric backfill restrainer "
       "uplift multilinear_elastic imk_bilinear imk_peak_oriented imk_pinching bilin mod_imk_peak_oriented "
-      "mod_imk_pinching ");
+      "mod_imk_pinching hysteretic pinching4 ");
 }
 
 TEST(ByName, WhatIsWrongIsSaidWithWhatToType) {

@@ -146,6 +146,29 @@ TEST(HingeInput, RejectsTwoDefinitionsOfHardening) {
           at("4:74", "hinges.beams.bouc_wen.spring_hardening"), mentions({"5 %", "[0, 1)"}));
 }
 
+// p is sagging, n hogging; what is not given is mirrored.
+TEST(HingeInput, ReadsTheBackboneOfALaw) {
+  const FrameModel model =
+      read(grid +
+           "hinges: {beam x 1.0: {at: both, pinching4: {yield_moment: [150 kN m, -100 kN m], stiffness: 37.5 MN m, "
+           "ePf2: 200 kN m, ePd2: 0.01, ePf3: 210 kN m, ePd3: 0.02, ePf4: 60 kN m, ePd4: 0.04, eNf2: -120 kN m, "
+           "rDispP: 0.5, rForceP: 0.25, uForceP: 0.05, gK1: 0.3, gKLim: 0.9, dmgType: cycle}}}");
+  const Hinge& hinge = model.frame.hinges().at(0);
+  EXPECT_EQ(hinge.yield_moment, 150e3);
+  EXPECT_EQ(hinge.hogging_moment, 100e3);
+  EXPECT_EQ(hinge.stiffness, 37.5e6);
+  const auto& law = std::get<hysteresis::Pinching4>(hinge.law);
+  EXPECT_EQ(law.s3p, 210e3);
+  EXPECT_EQ(law.e4p, 0.04);
+  EXPECT_EQ(law.s2n, -120e3);
+  EXPECT_EQ(law.gKLim, 0.9);
+  EXPECT_TRUE(law.by_cycles);
+  refused("{beams: {at: both, hysteretic: {yield_moment: 1, hardening: 0.1}}}", at("4:58", "hinges.beams.hysteretic"),
+          mentions({"hardening"}));
+  refused("{beams: {at: both, hysteretic: {yield_moment: 1}}}", at("4:41", "hinges.beams.hysteretic"),
+          mentions({"s2p: 200000 N m"}));
+}
+
 TEST(HingeInput, ReportsErrors) {
   refused("{beam x 1.1: {at: both, yield_moment: 1}}", at("4:10"),
           mentions({"beam x 1.1", "beam x 1.0", "hinges.beam"}));

@@ -259,6 +259,8 @@ inline const std::map<std::string, Keys> beside_key = {
     {"hinges.bilin", {{"yield_moment", ""}}},
     {"hinges.mod_imk_peak_oriented", {{"yield_moment", ""}}},
     {"hinges.mod_imk_pinching", {{"yield_moment", ""}}},
+    {"hinges.hysteretic", {{"yield_moment", ""}}},
+    {"hinges.pinching4", {{"yield_moment", ""}}},
     {"hinge_peak_oriented.cracking_moment", {{"yield_rotation", "0.03"}}},
     {"hinge_peak_oriented.yield_rotation", {{"cracking_moment", "50 kN m"}}},
     {"device_peak_oriented.cracking_force", {{"yield_deformation", "30 mm"}}},

@@ -56,6 +56,27 @@ typename L::State follow(const L& law, const std::vector<double>& path) {
   return kept;
 }
 
+/// Forces at the turning points of a path, each stretch at once and in three parts [N]; the loss is work minus stored.
+template <class L>
+void expect_loop(const L& law, const std::vector<double>& path, const std::vector<double>& forces, double allowed) {
+  law.check();
+  ASSERT_EQ(path.size(), forces.size());
+  typename L::State kept;
+  double work = 0, all = 0;
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    const double begin = kept.deformation;
+    EXPECT_NEAR(law.respond(kept, path[i]).force, forces[i], allowed) << L::name << " at turn " << i;
+    for (const double d : {begin + (path[i] - begin) / 3, begin + 2 * (path[i] - begin) / 3, path[i]}) {
+      work += law.work(kept, d);
+      all += hysteresis::lost(law, kept, d);
+      kept = law.advance(kept, d);
+    }
+    EXPECT_NEAR(law.respond(kept, path[i]).force, forces[i], allowed) << L::name << " in parts, turn " << i;
+    EXPECT_NEAR(all, work - law.stored(kept), 1e-9 * std::abs(work) + 1e-9);
+    EXPECT_GE(all, -hysteresis::gives_back<L> * law.stiffness() * std::pow(law.yield_deformation(), 2) - 1e-9 * work);
+  }
+}
+
 /// The slope is the derivative along the path, by finite differences.
 template <class L>
 void expect_slope_is_the_derivative(const L& law, double dy, int samples) {
@@ -136,7 +157,8 @@ void expect_energy_is_only_lost(const L& law, double dy) {
   }
 }
 
-/// A cycle that is repeated gives no energy. Where its ripples may give some, it is less than the path before has lost.
+/// A cycle that is repeated gives no energy, except for published laws with this defect. Where its ripples may give some,
+/// it is less than the path before has lost.
 template <class L>
 void expect_repeated_cycles_give_no_energy(const L& law, double dy) {
   const double fy = law.stiffness() * dy;
@@ -164,7 +186,8 @@ void expect_repeated_cycles_give_no_energy(const L& law, double dy) {
       work -= law.stored(kept) - stored;
       all += work;
     }
-    ASSERT_GE(hysteresis::ripples_give_back<L> ? all : work, -1e-11 * fy * dy) << "cycle " << i;
+    ASSERT_GE(hysteresis::ripples_give_back<L> ? all : work, -(hysteresis::cycle_gives_back<L> + 1e-11) * fy * dy)
+        << "cycle " << i;
   }
 }
 

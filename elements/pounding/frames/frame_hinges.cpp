@@ -48,36 +48,53 @@ HingeForces forces_of(const Frame& frame, int number) {
   return {k, on_ends, beam.at_nodes(on_ends)};
 }
 
-// Ratio of the post-yield stiffness to k.
-double hardening_of(const Frame& frame, const Hinge& hinge, double k) {
-  const double a = hinge.hardening, of_member = frame.bending_stiffness(hinge);
-  if (!hinge.is_rigid_plastic()) return hinge.spring_hardening.value_or(a / (1 + k / of_member * (1 - a)));
-  const double h = a * of_member / (1 - a);
-  return h / (k + h);
-}
-
-// Law of the end moment, with post-yield ratio b.
+// Law of the end moment, with post-yield ratio b, for a positive sagging moment where it has a backbone.
 hysteresis::HingeLaw law_of(const Hinge& hinge, double k, double b) {
   hysteresis::HingeLaw law = hinge.law;
   const double hogging = hinge.hogging_moment.value_or(hinge.yield_moment);
   std::visit(
       [&]<class L>(L& made) {
         made.initial_stiffness = k;
-        made.hardening = b;
         made.yield_force = hinge.yield_moment;
-        if constexpr (requires { made.negative_yield_force; }) made.negative_yield_force = hogging;
-        if (hinge.sags_positive()) return;
-        if constexpr (requires { made.is_mirrored; })
-          made.is_mirrored = true;
-        else if constexpr (requires { made.negative_yield_force; })
-          std::swap(made.yield_force, *made.negative_yield_force);
+        if constexpr (requires { made.s1n; }) {
+          if (hinge.hogging_moment) made.s1n = -hogging;
+        } else {
+          made.hardening = b;
+          if constexpr (requires { made.negative_yield_force; }) made.negative_yield_force = hogging;
+          if (hinge.sags_positive()) return;
+          if constexpr (requires { made.is_mirrored; })
+            made.is_mirrored = true;
+          else if constexpr (requires { made.negative_yield_force; })
+            std::swap(made.yield_force, *made.negative_yield_force);
+        }
       },
       law);
   return law;
 }
 
+// Ratio of the post-yield stiffness to k.
+double hardening_of(const Frame& frame, const Hinge& hinge, double k) {
+  const double a = hinge.hardening, of_member = frame.bending_stiffness(hinge);
+  if (hinge.is_rigid_plastic()) {
+    const double h = a * of_member / (1 - a);
+    return h / (k + h);
+  }
+  return std::visit(
+      [&](const auto& law) {
+        if constexpr (requires { law.hardening_ratio(); }) return law.hardening_ratio();
+        return hinge.spring_hardening.value_or(a / (1 + k / of_member * (1 - a)));
+      },
+      law_of(hinge, k, 0));
+}
+
 std::unique_ptr<Spring> spring_of(const Hinge& hinge, double k, double b) {
-  return std::visit([](const auto& law) { return make_spring(hysteresis::AnyLaw(law)); }, law_of(hinge, k, b));
+  return std::visit(
+      [&](const auto& law) {
+        if constexpr (requires { law.mirrored(); })
+          if (!hinge.sags_positive()) return make_spring(hysteresis::AnyLaw(law.mirrored()));
+        return make_spring(hysteresis::AnyLaw(law));
+      },
+      law_of(hinge, k, b));
 }
 
 // Springs of all hinges; joints whose hinges all yield retain a small stiffness.
@@ -148,7 +165,8 @@ std::vector<YieldingPart::Parameter> parameters_of(const Frame& frame, const Hin
             all.push_back({std::string(name_at(hysteresis::Use::hinge, parameter.info)), *value});
       },
       hinge.law);
-  all.push_back({"hardening", hinge.spring_hardening ? values.end_tangent / values.end_stiffness : hinge.hardening});
+  const bool is_of_spring = hinge.spring_hardening || hinge.has_backbone();
+  all.push_back({"hardening", is_of_spring ? values.end_tangent / values.end_stiffness : hinge.hardening});
   if (!values.is_rigid_plastic) all.push_back({"spring_hardening", hardening_of(frame, hinge, k)});
   all.push_back({values.is_rigid_plastic ? "member_stiffness" : "stiffness", k});
   all.push_back({"end_stiffness", values.end_stiffness});
@@ -266,6 +284,9 @@ void require_sound(const Hinge& hinge, const std::string& where) {
            "stiffness_factor");
   if (hinge.spring_hardening && of_member != 0)
     refuse(where + "give either hardening (of the member end) or spring_hardening, not both");
+  if (hinge.has_backbone() && (of_member != 0 || hinge.spring_hardening))
+    refuse(fmt::format("{}the backbone of {} defines its hardening; remove hardening and spring_hardening", where,
+                       word_of(hinge)));
   if (!is_positive(hinge.ultimate_rotation.value_or(1)))
     refuse(where + "ultimate_rotation must be positive and finite");
   for (const double value : {hinge.stiffness, hinge.stiffness_factor, hinge.member_length})

@@ -2,6 +2,7 @@
 /// Yielding member ends in bending. SI units.
 
 #include <optional>
+#include <variant>
 
 #include <pounding/hysteresis/all.hpp>
 
@@ -25,13 +26,13 @@ enum class BendingAxis { y, z };
 ///
 /// A spring in series with the member, with a stiffness or a stiffness_factor: the moment follows `law`, and its
 /// initial stiffness k makes the member more flexible. The spring retains the fraction b = a/(1 + n (1 - a)) of k, n =
-/// k L/6EI (Ibarra & Krawinkler 2005), or b is given as `spring_hardening`.
+/// k L/6EI (Ibarra & Krawinkler 2005), or b is given as `spring_hardening`, or by the backbone of `law`.
 struct Hinge {
   int member = 0;
   MemberEnd at = MemberEnd::start;
   BendingAxis about = BendingAxis::y;
   double yield_moment = 0;                    ///< > 0 [N m]
-  std::optional<double> hogging_moment{};     ///< > 0, only of a bilinear law; default: yield_moment [N m]
+  std::optional<double> hogging_moment{};     ///< > 0, of a law that takes two; default: yield_moment [N m]
   double hardening = 0;                       ///< a in [0, 1) [-]
   std::optional<double> ultimate_rotation{};  ///< plastic rotation capacity, for reports [rad]
   double stiffness = 0;                       ///< of a spring in series [N m/rad]
@@ -47,7 +48,12 @@ struct Hinge {
   bool is_rigid_plastic() const { return stiffness == 0 && stiffness_factor == 0; }
   /// True if sagging and hogging can have different yield moments.
   bool takes_two_moments() const {
-    return std::visit([](const auto& made) { return requires { made.negative_yield_force; }; }, law);
+    return std::visit([]<class L>(const L&) { return requires { &L::negative_yield_force; } || requires { &L::s1n; }; },
+                      law);
+  }
+  /// True if the points of a backbone define the hardening, so that the hinge has none. p is sagging, n hogging.
+  bool has_backbone() const {
+    return std::visit([]<class L>(const L&) { return requires { &L::s1n; }; }, law);
   }
   /// Index of its moment among the twelve end forces of a member.
   int place() const { return (at == MemberEnd::start ? 0 : 6) + (about == BendingAxis::y ? 4 : 5); }

@@ -12,6 +12,7 @@
 #include <pounding/hysteresis/bouc_wen.hpp>
 #include <pounding/hysteresis/by_name.hpp>
 #include <pounding/hysteresis/friction_pendulum.hpp>
+#include <pounding/hysteresis/hysteretic.hpp>
 #include <pounding/hysteresis/imk_bilinear.hpp>
 #include <pounding/hysteresis/imk_peak_oriented.hpp>
 #include <pounding/hysteresis/imk_pinching.hpp>
@@ -20,6 +21,7 @@
 #include <pounding/hysteresis/mod_imk.hpp>
 #include <pounding/hysteresis/multilinear_elastic.hpp>
 #include <pounding/hysteresis/peak_oriented.hpp>
+#include <pounding/hysteresis/pinching4.hpp>
 #include <pounding/hysteresis/restrainer.hpp>
 #include <pounding/hysteresis/uplift.hpp>
 
@@ -28,18 +30,22 @@ namespace pounding::hysteresis {
 /// Any law of this library.
 using AnyLaw = std::variant<Bilinear, MenegottoPinto, BoucWen, PeakOriented, FrictionPendulum, LeadRubber, Elastomeric,
                             Backfill, Restrainer, Uplift, MultilinearElastic, ImkBilinear, ImkPeakOriented, ImkPinching,
-                            Bilin, ModImkPeakOriented, ModImkPinching>;
+                             Bilin, ModImkPeakOriented, ModImkPinching, Hysteretic, Pinching4>;
 
-/// Laws of hinges: those with an initial stiffness, a yield force and a hardening, which the hinge sets.
+/// Laws of hinges: those with an initial stiffness and a yield force, which the hinge sets.
 using HingeLaw = std::variant<Bilinear, MenegottoPinto, BoucWen, PeakOriented, ImkBilinear, ImkPeakOriented,
-                              ImkPinching, Bilin, ModImkPeakOriented, ModImkPinching>;
+                              ImkPinching, Bilin, ModImkPeakOriented, ModImkPinching, Hysteretic, Pinching4>;
 
 /// True for a parameter that the hinge sets.
 template <class L>
 constexpr bool is_set_by_hinge(const Parameter<L>& p) noexcept {
   if constexpr (requires { &L::negative_yield_force; })
     if (p.choice == &L::negative_yield_force) return true;
-  return p.value == &L::initial_stiffness || p.value == &L::yield_force || p.value == &L::hardening;
+  if constexpr (requires { &L::hardening; })
+    if (p.value == &L::hardening) return true;
+  if constexpr (requires { &L::s1n; })
+    if (p.choice == &L::s1n || p.choice == &L::e1n) return true;
+  return p.value == &L::initial_stiffness || p.value == &L::yield_force;
 }
 
 /// The catalogue of all laws.

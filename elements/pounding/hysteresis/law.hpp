@@ -19,6 +19,7 @@
 ///     static constexpr bool has_corners;  // false if corner() is always empty
 ///     static constexpr double gives_back;  // see gives_back below
 ///     static constexpr bool ripples_give_back;  // see ripples_give_back below
+///     static constexpr double cycle_gives_back;  // see cycle_gives_back below
 ///     Answer excess(const State&, double d) const noexcept;  // see excess() below
 ///     double lost(const State&, double d) const noexcept;  // see lost() below
 ///     double stored_excess(const State&) const noexcept;  // see stored_excess() below
@@ -80,6 +81,13 @@ inline constexpr double gives_back = [] {
 /// True for a published law whose small cycles can return energy, in total less than earlier cycles have lost.
 template <Law L>
 inline constexpr bool ripples_give_back = requires { requires L::ripples_give_back; };
+
+/// The same bound for a cycle that has been repeated a hundred times.
+template <Law L>
+inline constexpr double cycle_gives_back = [] {
+  if constexpr (requires { L::cycle_gives_back; }) return L::cycle_gives_back;
+  return 0.0;
+}();
 
 /// Response minus that of an elastic spring k d; exactly zero in the elastic range of laws that provide it.
 template <Law L>

@@ -183,7 +183,7 @@ class HingeReader {
       hinge.stiffness = stiffness->as_quantity();
     else
       hinge.stiffness_factor = node.quantity("stiffness_factor");
-    const auto of_member = node.find("hardening"), of_spring = node.find("spring_hardening");
+    const auto of_member = node.find_known("hardening"), of_spring = node.find_known("spring_hardening");
     if (of_member && of_spring)
       of_spring->fail_at_key(
           "give hardening (ratio of the member end) or spring_hardening (ratio of the spring alone), not both");

@@ -73,8 +73,10 @@ struct OfHinges : YieldingKeys {
                       "900 MN m", "0.2.0"});
     of_law.push_back({"stiffness_factor", number(bounds::positive), otherwise("10"),
                       "Initial stiffness of the spring as a multiple of 6EI/L of the member.", "10", "0.2.0"});
-    of_law.push_back(hinge_of_series(hinge_hardening_key));
-    of_law.push_back(spring_hardening_key);
+    if constexpr (requires { made.hardening; }) {
+      of_law.push_back(hinge_of_series(hinge_hardening_key));
+      of_law.push_back(spring_hardening_key);
+    }
     Example example;
     example.add(moment_key);
     for (const auto& parameter : L::parameters) {
