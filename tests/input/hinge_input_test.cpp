@@ -165,7 +165,7 @@ TEST(HingeInput, ReadsTheBackboneOfALaw) {
   EXPECT_TRUE(law.by_cycles);
   refused("{beams: {at: both, hysteretic: {yield_moment: 1, hardening: 0.1}}}", at("4:58", "hinges.beams.hysteretic"),
           mentions({"hardening"}));
-  refused("{beams: {at: both, hysteretic: {yield_moment: 1}}}", at("4:41", "hinges.beams.hysteretic"),
+  refused("{beams: {at: both, hysteretic: {yield_moment: 1}}}", at("4:40", "hinges.beams.hysteretic"),
           mentions({"s2p: 200000 N m"}));
 }
 

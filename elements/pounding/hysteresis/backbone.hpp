@@ -152,9 +152,7 @@ struct Backbone : PiecewiseLinear<Self, State>, BackbonePoints {
     return side;
   }
   /// Deformation at which the first line ends; 0 if the other side has another stiffness.
-  double end_of_elastic(int way) const noexcept {
-    return way > 0 || !e1n ? way * side_of(way).e[0] : 0;
-  }
+  double end_of_elastic(int way) const noexcept { return way > 0 || !e1n ? way * side_of(way).e[0] : 0; }
   static std::size_t index(double way) noexcept { return way > 0 ? 0 : 1; }
 
  private:

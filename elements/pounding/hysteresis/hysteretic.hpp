@@ -56,8 +56,8 @@ struct Hysteretic : Backbone<Hysteretic, HystereticState, 3> {
   double beta = 0;                  ///< exponent of the unloading stiffness >= 0 [-]
 
   static constexpr BackboneNames<3> points{{"s1p", "e1p", "s2p", "e2p", "s3p", "e3p"},
-                                                       {"s1n", "e1n", "s2n", "e2n", "s3n", "e3n"},
-                                                       {1.5e5, 0.015, 2e5, 0.045, 6e4, 0.15}};
+                                           {"s1n", "e1n", "s2n", "e2n", "s3n", "e3n"},
+                                           {1.5e5, 0.015, 2e5, 0.045, 6e4, 0.15}};
   static constexpr std::array parameters{
       Parameter<Hysteretic>{{"stiffness", "N/m", "slope of the first line, s1p/e1p", 1e7},
                             &Hysteretic::initial_stiffness},
@@ -76,8 +76,9 @@ struct Hysteretic : Backbone<Hysteretic, HystereticState, 3> {
                             &Hysteretic::pinchX},
       Parameter<Hysteretic>{{"pinchY", "", "force ratio of the pinching point; 1 is no pinching", 0.3, Need::optional},
                             &Hysteretic::pinchY},
-      Parameter<Hysteretic>{{"damage1", "", "growth of the target deformation with the ductility", 0.01, Need::optional},
-                            &Hysteretic::damage1},
+      Parameter<Hysteretic>{
+          {"damage1", "", "growth of the target deformation with the ductility", 0.01, Need::optional},
+          &Hysteretic::damage1},
       Parameter<Hysteretic>{
           {"damage2", "", "growth of the target deformation with the dissipated energy", 0.02, Need::optional},
           &Hysteretic::damage2},

@@ -63,21 +63,20 @@ struct Pinching4 : Backbone<Pinching4, PinchingState, 4> {
   /// With typical parameters.
   static constexpr double gives_back = 0.7, cycle_gives_back = 5e-5;
 
-  double s4p = 0, e4p = 0;                                ///< fourth point [N], [m]
-  std::optional<double> s4n{}, e4n{};                     ///< of the negative side, negative [N], [m]
-  double rDispP = 0, rForceP = 0, uForceP = 0;            ///< of reloading in the positive direction [-]
-  std::optional<double> rDispN{}, rForceN{}, uForceN{};   ///< in the negative direction; default: as above [-]
-  double gK1 = 0, gK2 = 0, gK3 = 1, gK4 = 1, gKLim = 0;   ///< damage of the stiffness [-]
-  double gD1 = 0, gD2 = 0, gD3 = 1, gD4 = 1, gDLim = 0;   ///< damage of the deformation [-]
-  double gF1 = 0, gF2 = 0, gF3 = 1, gF4 = 1, gFLim = 0;   ///< damage of the strength [-]
-  double gE = 10;                                         ///< energy capacity over the area of the backbone > 0 [-]
-  bool by_cycles = false;                                 ///< g2 and g4 act on cycles instead of energy
-  bool is_mirrored = false;                               ///< directions exchanged by mirrored()
+  double s4p = 0, e4p = 0;                                 ///< fourth point [N], [m]
+  std::optional<double> s4n{}, e4n{};                      ///< of the negative side, negative [N], [m]
+  double rDispP = 0, rForceP = 0, uForceP = 0;             ///< of reloading in the positive direction [-]
+  std::optional<double> rDispN{}, rForceN{}, uForceN{};    ///< in the negative direction; default: as above [-]
+  double gK1 = 0, gK2 = 0, gK3 = 1, gK4 = 1, gKLim = 0.9;  ///< damage of the stiffness [-]
+  double gD1 = 0, gD2 = 0, gD3 = 1, gD4 = 1, gDLim = 0.9;  ///< damage of the deformation [-]
+  double gF1 = 0, gF2 = 0, gF3 = 1, gF4 = 1, gFLim = 0.9;  ///< damage of the strength [-]
+  double gE = 10;                                          ///< energy capacity over the area of the backbone > 0 [-]
+  bool by_cycles = false;                                  ///< g2 and g4 act on cycles instead of energy
+  bool is_mirrored = false;                                ///< directions exchanged by mirrored()
 
-  static constexpr BackboneNames<4> points{
-      {"ePf1", "ePd1", "ePf2", "ePd2", "ePf3", "ePd3", "ePf4", "ePd4"},
-      {"eNf1", "eNd1", "eNf2", "eNd2", "eNf3", "eNd3", "eNf4", "eNd4"},
-      {1.5e5, 0.015, 2e5, 0.04, 2.1e5, 0.08, 6e4, 0.16}};
+  static constexpr BackboneNames<4> points{{"ePf1", "ePd1", "ePf2", "ePd2", "ePf3", "ePd3", "ePf4", "ePd4"},
+                                           {"eNf1", "eNd1", "eNf2", "eNd2", "eNf3", "eNd3", "eNf4", "eNd4"},
+                                           {1.5e5, 0.015, 2e5, 0.04, 2.1e5, 0.08, 6e4, 0.16}};
   using P = Parameter<Pinching4>;  ///< a row of the table
   static constexpr std::array parameters{
       P{{"stiffness", "N/m", "slope of the first line, ePf1/ePd1", 1e7}, &Pinching4::initial_stiffness},
@@ -100,27 +99,33 @@ struct Pinching4 : Backbone<Pinching4, PinchingState, 4> {
       P{{"rForceP", "", "force of the pinching point over that of the target", 0.25}, &Pinching4::rForceP},
       P{{"uForceP", "", "force at the end of unloading over the strength", 0.05}, &Pinching4::uForceP},
       P{{"rDispN", "", "rDispP in the negative direction (default the same)", 0.5, Need::extra}, &Pinching4::rDispN},
-      P{{"rForceN", "", "rForceP in the negative direction (default the same)", 0.25, Need::extra}, &Pinching4::rForceN},
-      P{{"uForceN", "", "uForceP in the negative direction (default the same)", 0.05, Need::extra}, &Pinching4::uForceN},
+      P{{"rForceN", "", "rForceP in the negative direction (default the same)", 0.25, Need::extra},
+        &Pinching4::rForceN},
+      P{{"uForceN", "", "uForceP in the negative direction (default the same)", 0.05, Need::extra},
+        &Pinching4::uForceN},
       P{{"gK1", "", "damage of the stiffness at the last deformation", 0.3, Need::optional}, &Pinching4::gK1},
-      P{{"gK2", "", "damage of the stiffness at the energy capacity, or after one cycle", 0.2, Need::optional}, &Pinching4::gK2},
+      P{{"gK2", "", "damage of the stiffness at the energy capacity, or after one cycle", 0.2, Need::optional},
+        &Pinching4::gK2},
       P{{"gK3", "", "exponent of the deformation", 0.3, Need::optional}, &Pinching4::gK3},
       P{{"gK4", "", "exponent of the energy or of the cycles", 0.2, Need::optional}, &Pinching4::gK4},
       P{{"gKLim", "", "limit of the damage of the stiffness", 0.9, Need::optional}, &Pinching4::gKLim},
       P{{"gD1", "", "damage of the deformation at the last deformation", 0.2, Need::optional}, &Pinching4::gD1},
-      P{{"gD2", "", "damage of the deformation at the energy capacity, or after one cycle", 0.2, Need::optional}, &Pinching4::gD2},
+      P{{"gD2", "", "damage of the deformation at the energy capacity, or after one cycle", 0.2, Need::optional},
+        &Pinching4::gD2},
       P{{"gD3", "", "exponent of the deformation", 0.3, Need::optional}, &Pinching4::gD3},
       P{{"gD4", "", "exponent of the energy or of the cycles", 0.3, Need::optional}, &Pinching4::gD4},
       P{{"gDLim", "", "limit of the damage of the deformation", 0.5, Need::optional}, &Pinching4::gDLim},
       P{{"gF1", "", "damage of the strength at the last deformation", 0.1, Need::optional}, &Pinching4::gF1},
-      P{{"gF2", "", "damage of the strength at the energy capacity, or after one cycle", 0.1, Need::optional}, &Pinching4::gF2},
+      P{{"gF2", "", "damage of the strength at the energy capacity, or after one cycle", 0.1, Need::optional},
+        &Pinching4::gF2},
       P{{"gF3", "", "exponent of the deformation", 0.3, Need::optional}, &Pinching4::gF3},
       P{{"gF4", "", "exponent of the energy or of the cycles", 0.3, Need::optional}, &Pinching4::gF4},
       P{{"gFLim", "", "limit of the damage of the strength", 0.5, Need::optional}, &Pinching4::gFLim},
       P{{"gE", "", "energy capacity over the area of the larger backbone", 10, Need::optional}, &Pinching4::gE}};
   static constexpr std::array<std::string_view, 2> damage_words{"energy", "cycle"};
   static constexpr std::array choices{Choice<Pinching4>{
-      {"dmgType", "quantity of damage besides the deformation: energy, or cycle for the number of cycles", damage_words},
+      {"dmgType", "quantity of damage besides the deformation: energy, or cycle for the number of cycles",
+       damage_words},
       [](Pinching4& law, std::size_t i) { law.by_cycles = i == 1; },
       [](const Pinching4& law) -> std::size_t { return law.by_cycles ? 1 : 0; }}};
   static constexpr std::array state{
@@ -147,10 +152,10 @@ struct Pinching4 : Backbone<Pinching4, PinchingState, 4> {
       laws::require_not_negative(g + "2", d.of_energy);
       laws::require_positive(g + "3", d.exponent);
       laws::require_positive(g + "4", d.exponent_of_energy);
-      const bool is_damaged = d.of_deformation > 0 || d.of_energy > 0, below_1 = d.letter != 'D';
-      if (!(std::isfinite(d.limit) && d.limit >= 0 && (!below_1 || d.limit < 1) && (d.limit > 0 || !is_damaged)))
-        laws::refuse(g + "Lim", d.limit,
-                     std::string(below_1 ? "below 1 and positive" : "finite and positive") + " if " + g + "1 or " + g + "2 is");
+      if (d.letter == 'D')
+        laws::require_not_negative(g + "Lim", d.limit);
+      else if (!(d.limit >= 0 && d.limit < 1))
+        laws::refuse(g + "Lim", d.limit, "in [0, 1)");
     }
     laws::require_positive("gE", gE);
   }
@@ -225,9 +230,7 @@ struct Pinching4 : Backbone<Pinching4, PinchingState, 4> {
   }
 
   double last_deformation() const noexcept { return std::max(side_of(1).e[3], side_of(-1).e[3]); }
-  double demand(const State& s, int side) const noexcept {
-    return std::max(s.demand[index(side)], side_of(side).e[0]);
-  }
+  double demand(const State& s, int side) const noexcept { return std::max(s.demand[index(side)], side_of(side).e[0]); }
   double largest_demand(const State& s) const noexcept { return std::max(demand(s, 1), demand(s, -1)); }
   double cycles(const State& s) const noexcept {
     return s.cycles + std::abs(s.deformation - s.turned) / (4 * largest_demand(s));

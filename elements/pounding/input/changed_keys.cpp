@@ -15,7 +15,7 @@ void warn_about_hinges(const Input& hinges, std::vector<Warning>& warnings) {
     if (!hinge.is_map()) continue;
     for (const auto& [law, numbers] : hinge.entries()) {
       if (!numbers.is_map()) continue;
-      const auto hardening = numbers.find_known("hardening");
+      const auto hardening = numbers.find("hardening");
       if (!hardening || !hardening->is_scalar()) continue;
       const std::string text = hardening->as_text();
       if (double value = 1; parse_number(text.substr(0, text.find_first_of(" %")), value) && value == 0)
