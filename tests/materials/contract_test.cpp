@@ -34,7 +34,7 @@ struct MaterialContract : testing::Test {
   State follow(const std::vector<double>& path) const { return test::follow(law, path); }
 };
 
-TYPED_TEST_SUITE(MaterialContract, test::TypesOf<AnyMaterial>::type, test::LawName);
+TYPED_TEST_SUITE(MaterialContract, test::TypesOf<NamedMaterial>::type, test::LawName);
 
 TYPED_TEST(MaterialContract, IsAMaterial) { static_assert(Material<TypeParam>); }
 

@@ -172,6 +172,27 @@ TEST(FibreSection, StatesAreRestoredBitwise) {
 }
 
 // Curvature sampled from a parabola in time with its extremum at t = 0.55: fibres reverse there.
+// The lower fibre ruptures in tension; two fibres at one point are parallel, and the elastic one carries on.
+TEST(FibreSection, AModifiedMaterialRupturesNextToOthers) {
+  const auto elastic = materials::make_material({.law = "elastic", .values = {{"E", 1e9}}});
+  materials::Modified<materials::NamedMaterial> steel;
+  steel.base = materials::Materials::make({.law = "steel01", .values = {{"Fy", 250e6}, {"E0", 200e9}, {"b", 0}}});
+  steel.max = 0.005;
+  const FibreSection section({steel, elastic}, {{0, 0.1, 1e-3, 0}, {0, -0.1, 1e-3, 0}, {0, -0.1, 1e-3, 1}});
+  EXPECT_TRUE(section.forgets_small_reversals());
+  FibreStates states = section.states();
+  section.accept(states, {0, -0.04, 0});
+  const double elastic_force = 1e9 * 0.004 * 1e-3;
+  EXPECT_NEAR(section.evaluate(states, {0, -0.04, 0}).force[0], elastic_force, 1e-6);
+  section.accept(states, {0, -0.06, 0});
+  for (const double ratio : {1.0, 0.9}) {
+    const SectionResponse end = section.evaluate(states, {0, -0.06 * ratio, 0});
+    const double upper = -(250e6 - 200e9 * 0.006 * (1 - ratio)) * 1e-3, lower = 1e9 * 0.006 * ratio * 1e-3;
+    EXPECT_NEAR(end.force[0], upper + lower, 1e-6);
+    EXPECT_NEAR(end.force[1], 0.1 * (upper - lower), 1e-6);
+  }
+}
+
 TEST(Reversals, FibresFollowTheExtremumInsideAStep) {
   const FibreSection section = test::reinforced_column("steel01");
   const std::vector<double> times{0, 83.0 / 250, 0.5, 31.0 / 50, 17.0 / 20, 1};

@@ -14,14 +14,26 @@
 #include <pounding/materials/elastic.hpp>
 #include <pounding/materials/elastic_no_tension.hpp>
 #include <pounding/materials/menegotto_pinto.hpp>
+#include <pounding/materials/modified.hpp>
 #include <pounding/materials/steel01.hpp>
 #include <pounding/materials/steel02.hpp>
 
 namespace pounding::materials {
 
-/// Any material of this library.
-using AnyMaterial =
+/// The materials of this library by name.
+using NamedMaterial =
     std::variant<Elastic, ElasticNoTension, Concrete01, Concrete02, Concrete04, Steel01, MenegottoPinto, Steel02>;
+
+/// The materials of a variant, and those that are modified.
+template <class Named>
+struct WithModified;
+template <class... M>
+struct WithModified<std::variant<M...>> {
+  using type = std::variant<M..., Modified<std::variant<M...>>>;
+};
+
+/// Any material of fibres.
+using AnyMaterial = WithModified<NamedMaterial>::type;
 
 /// Settings of a material in an input. SI units.
 using Settings = hysteresis::Settings;
@@ -43,9 +55,9 @@ inline std::string unknown_law(std::string_view name, std::span<const Entry> cat
 }
 
 /// The catalogue of all materials.
-using Materials = laws::Catalogue<Settings, Entry, AnyMaterial>;
+using Materials = laws::Catalogue<Settings, Entry, NamedMaterial>;
 
-/// Entries of all materials, in the order of AnyMaterial.
+/// Entries of all named materials, in the order of NamedMaterial.
 inline std::span<const Entry> catalogue() noexcept { return Materials::entries; }
 
 /// Entry of a material by name. Throws std::invalid_argument, with the nearest known name, if there is none.
@@ -53,6 +65,8 @@ inline const Entry& find_material(std::string_view name) { return Materials::fin
 
 /// Creates a validated material. Throws std::invalid_argument for an unknown material or parameter (with the nearest
 /// known name), a missing parameter and an invalid value.
-inline AnyMaterial make_material(const Settings& settings) { return Materials::make(settings); }
+inline AnyMaterial make_material(const Settings& settings) {
+  return std::visit([](const auto& law) -> AnyMaterial { return law; }, Materials::make(settings));
+}
 
 }  // namespace pounding::materials

@@ -27,6 +27,15 @@ using hysteresis::Answer;
 using hysteresis::Parameter;
 using hysteresis::StateValue;
 
+/// True if a reversal of size e changes later stresses by O(e): constant, or of a material that depends on another one.
+template <class M>
+constexpr bool forgets_small_reversals(const M& law) noexcept {
+  if constexpr (requires { law.forgets_small_reversals(); })
+    return law.forgets_small_reversals();
+  else
+    return M::forgets_small_reversals;
+}
+
 /// A uniaxial material.
 template <class M>
 concept Material = hysteresis::Law<M> && requires(const M& law, const typename M::State& kept,
@@ -34,7 +43,7 @@ concept Material = hysteresis::Law<M> && requires(const M& law, const typename M
   requires std::is_trivially_copyable_v<typename M::Branch>;
   { law.branch(kept) } noexcept -> std::same_as<typename M::Branch>;
   { law.respond(branch, strain) } noexcept -> std::same_as<Answer>;
-  { M::forgets_small_reversals } -> std::convertible_to<bool>;
+  { materials::forgets_small_reversals(law) } noexcept -> std::same_as<bool>;
 };
 
 /// Base of a material Self whose stress is smooth between some strains. Self provides branch(), respond(branch,

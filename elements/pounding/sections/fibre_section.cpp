@@ -228,7 +228,8 @@ double FibreSection::lost(const FibreStates& states, const Deformation& deformat
 
 bool FibreSection::forgets_small_reversals() const noexcept {
   return std::ranges::all_of(groups_, [&](const Group& group) {
-    return materials::catalogue()[materials_[group.material].index()].forgets_small_reversals;
+    return std::visit([](const auto& law) { return materials::forgets_small_reversals(law); },
+                      materials_[group.material]);
   });
 }
 
