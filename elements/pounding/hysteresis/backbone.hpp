@@ -127,12 +127,12 @@ struct Backbone : PiecewiseLinear<Self, State>, BackbonePoints {
       const Side side = side_of(way);
       for (std::size_t i = 0; i < n; ++i) {
         const std::size_t row = force_row(i, way);
-        const std::string force = name(row), deformation = i > 0 || way < 0 ? name(row + 1) : std::string();
+        const std::string force = name(row);
         const double least = i > 0 ? side.e[i - 1] : 0;
         if (!(std::isfinite(side.s[i]) && side.s[i] >= 0) || (i == 0 && side.s[0] == 0))
           laws::refuse(force, way * side.s[i], way > 0 ? "finite and not negative" : "finite and not positive");
         if (!(std::isfinite(side.e[i]) && side.e[i] > least))
-          laws::refuse(deformation.empty() ? "stiffness" : deformation, way * side.e[i],
+          laws::refuse(name(row + 1), way * side.e[i],
                        "beyond the previous point, at " + laws::number_text(way * least));
         const double highest = i > 0 ? side.s[i - 1] + side.stiffness() * (side.e[i] - least) : HUGE_VAL;
         if (side.s[i] > highest * (1 + 1e-9))
