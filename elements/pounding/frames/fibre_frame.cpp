@@ -60,6 +60,7 @@ struct FibreFrame::States final : TangentForces::Motion {
       archive.raw(iterate.deformations.data(), sizeof iterate.deformations);
       archive.raw(iterate.residual.data(), sizeof iterate.residual);
       archive.raw(iterate.stiffness.data(), sizeof iterate.stiffness);
+      archive(iterate.change, iterate.slow);
       archive.raw(iterate.sections.data(), iterate.sections.size() * sizeof(FibreMember::Iterate::Section));
     }
   }

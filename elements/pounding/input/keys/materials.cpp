@@ -69,7 +69,7 @@ struct OfMaterials : YieldingKeys {
 const OfMaterials& laws_of_fibres() {
   static const OfMaterials all = [] {
     OfMaterials made;
-    EachLaw<materials::AnyMaterial>::visit([&made](const auto& law) { made.add(law); });
+    EachLaw<materials::NamedMaterial>::visit([&made](const auto& law) { made.add(law); });
     made.own.push_back(
         {"confined", map(confined), exactly_one,
          "Concrete in the core within hoops, in materials only: strength, strains and crushing strength by Mander, "
