@@ -18,8 +18,9 @@ namespace pounding::hysteresis {
 /// a softening line is flatter than 1e-3 of it. Both sides stop to deteriorate once the yield force has fallen to the
 /// residual one.
 ///
-/// OpenSees agrees to 1e-6 as its steps are refined, with four exceptions. If Lambda_C is well below Lambda_S, so that
-/// the softening line begins on the elastic one, 1 path in 20 differs on its residual branch. If unloading meets the
+/// OpenSees agrees to 1e-6 as its steps are refined, with these exceptions. If Lambda_C is well below Lambda_S, so that
+/// the softening line begins on the elastic one, 1 path in 20 differs on its residual branch, as some do
+/// at zero force with FresFy = 0. If unloading meets the
 /// other backbone within 1e-10 of zero deformation, OpenSees omits that deterioration. Exponents other than whole
 /// numbers make its result NaN by round-off of an energy that is zero. Lambda_A has no effect there.
 ///
