@@ -8,21 +8,21 @@
 
 namespace pounding::hysteresis {
 
-/// Bilinear law of Ibarra, Medina & Krawinkler in its first implementation, the material Bilin of OpenSees, in the limit
-/// of small steps. Its authors replaced it by ImkBilinear.
+/// Bilinear law of Ibarra, Medina & Krawinkler in its first implementation, the material Bilin of OpenSees, in the
+/// limit of small steps. Its authors replaced it by ImkBilinear.
 ///
 /// After a deterioration the next zero force deteriorates only if the backbone was reached in between, or if the last
 /// reversal at a peak of the side lies on its new hardening or softening line. The softening line turns about the
-/// maximum; where it begins on the elastic line below yield, the spring fails if it reaches zero force before the earlier
-/// peak. The unloading stiffness is at least 0.1 of the initial one, and reversals from the negative side keep it if
-/// a softening line is flatter than 1e-3 of it. Both sides stop to deteriorate once the yield force has fallen to the
-/// residual one.
+/// maximum; where it begins on the elastic line below yield, the spring fails if it reaches zero force before the
+/// earlier peak. The unloading stiffness is at least 0.1 of the initial one, and reversals from the negative side keep
+/// it if a softening line is flatter than 1e-3 of it. Both sides stop to deteriorate once the yield force has fallen
+/// to the residual one.
 ///
-/// OpenSees agrees to 1e-6 as its steps are refined, with these exceptions. If Lambda_C is well below Lambda_S, so that
-/// the softening line begins on the elastic one, 1 path in 20 differs on its residual branch, as some do
-/// at zero force with FresFy = 0. If unloading meets the
-/// other backbone within 1e-10 of zero deformation, OpenSees omits that deterioration. Exponents other than whole
-/// numbers make its result NaN by round-off of an energy that is zero. Lambda_A has no effect there.
+/// OpenSees agrees to 1e-6 as its steps are refined, with these exceptions. If Lambda_C is well below Lambda_S, so
+/// that the softening line begins on the elastic one, 1 path in 20 differs on its residual branch, as some do at zero
+/// force with FresFy = 0. If unloading meets the other backbone within 1e-10 of zero deformation, OpenSees omits that
+/// deterioration. Exponents other than whole numbers make its result NaN by round-off of an energy that is zero.
+/// Lambda_A has no effect there.
 ///
 /// nFactor is the ratio n of the spring to the member in series: the betas reduce ratios of the member.
 struct Bilin : SupersededImk<Bilin> {
