@@ -17,8 +17,12 @@ FibreSectionReport::Law law_report(const FibreMaterial& material) {
   FibreSectionReport::Law report;
   report.name = material.name;
   report.modulus = initial_modulus(material.law);
-  std::visit([&]<class M>(const M&) { report.law = M::name; }, material.law);
-  report.forgets_small_reversals = materials::forgets_small_reversals(material.law);
+  std::visit(
+      [&]<class M>(const M& law) {
+        report.law = M::name;
+        report.forgets_small_reversals = materials::forgets_small_reversals(law);
+      },
+      material.law);
   if (material.concrete_strength > 0) report.code_modulus = code_modulus(material.concrete_strength);
   if (const auto& by = material.confinement)
     report.confinement = {{"ke", by->effectiveness},
