@@ -54,7 +54,8 @@ std::string mast(bool heavy, const std::string& damping, const std::string& othe
       "    members: {{1: {{between: [a, b], section: s}}, 2: {{between: [b, c], section: s}}, 3: {{between: [c, d], "
       "section: s}},\n"
       "      4: {{between: [d, e], section: s}}}},\n"
-      "    supports: {{a: fixed}}, masses: {{b: 50, c: 50, d: 50, e: 50}}, floors: [{{nodes: [c]}}, {{nodes: [e]}}]}},\n"
+      "    supports: {{a: fixed}}, masses: {{b: 50, c: 50, d: 50, e: 50}}, floors: [{{nodes: [c]}}, {{nodes: "
+      "[e]}}]}},\n"
       "    damping: {}, initial_velocity: 6}}\n{}links: {}\nanalysis: {{duration: 1}}\n",
       heavy, damping, others, links);
 }
@@ -106,16 +107,16 @@ TEST(TangentForces, MoveAsElasticForcesDo) {
 }
 
 TEST(TangentForces, HitAsElasticForcesDo) {
-  for (const std::string law : {"kelvin_voigt_no_tension, stiffness: 1e5, restitution: 0.7",
-                                "hertz_damped, stiffness: 1e6, restitution: 0.6", "stereomechanical, restitution: 0.5"}) {
-    const std::string yaml =
-        mast(true, damped, "  ball: {oscillator: {mass: 80, period: 0.9}, damping: 2 %}\n",
-             fmt::format("[{{between: [mast.2, ball], gap: 0.4, law: {}}}]", law));
+  for (const std::string law :
+       {"kelvin_voigt_no_tension, stiffness: 1e5, restitution: 0.7", "hertz_damped, stiffness: 1e6, restitution: 0.6",
+        "stereomechanical, restitution: 0.5"}) {
+    const std::string yaml = mast(true, damped, "  ball: {oscillator: {mass: 80, period: 0.9}, damping: 2 %}\n",
+                                  fmt::format("[{{between: [mast.2, ball], gap: 0.4, law: {}}}]", law));
     Motion tangent(yaml, 1e-7, true), elastic(yaml, 1e-7, false);
     test::march(*tangent.stepper, 1, 0.02);
     test::march(*elastic.stepper, 1, 0.02);
     EXPECT_LT((tangent.state().u - elastic.state().u).cwiseAbs().maxCoeff(), 2e-5) << law;
-    EXPECT_GT(tangent.stepper->view().events(), 1) << law;
+    EXPECT_GE(tangent.stepper->view().events(), 1) << law;
     EXPECT_EQ(tangent.stepper->view().events(), elastic.stepper->view().events()) << law;
     EXPECT_LT(tangent.imbalance(), 1e-6) << law;
   }

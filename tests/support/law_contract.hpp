@@ -157,8 +157,8 @@ void expect_energy_is_only_lost(const L& law, double dy) {
   }
 }
 
-/// A cycle that is repeated gives no energy, except for published laws with this defect. Where its ripples may give some,
-/// it is less than the path before has lost.
+/// A cycle that is repeated gives no energy, except for published laws with this defect. Where its ripples may give
+/// some, it is less than the path before has lost.
 template <class L>
 void expect_repeated_cycles_give_no_energy(const L& law, double dy) {
   const double fy = law.stiffness() * dy;

@@ -11,6 +11,7 @@
 
 #include <pounding/core/archive_eigen.hpp>
 #include <pounding/core/refuse.hpp>
+#include <pounding/frames/section_fibres.hpp>
 #include <pounding/structures/massless.hpp>
 
 namespace pounding {
@@ -42,8 +43,8 @@ MemberGeometry geometry_of(FrameGeometry geometry) {
 struct FibreFrame::States final : TangentForces::Motion {
   std::vector<FibreMember::State> accepted;
   std::vector<FibreMember::Iterate> begin, trial;
-  // Basic forces of all members: of the stages of the step by time [s], and at the beginning, middle and end of the last
-  // accepted step.
+  // Basic forces of all members: of the stages of the step by time [s], and at the beginning, middle and end of the
+  // last accepted step.
   std::vector<std::pair<double, VectorXd>> stages;
   std::array<VectorXd, 3> forces;
 
@@ -91,7 +92,9 @@ void FibreFrame::take_members(const FrameModel& model, const AssembledFrame& ass
     const Beam& beam = frame.beam(number);
     const auto [start, end] = frame.ends(number);
     const std::string what = "member " + frame.member_name(number) + ": ";
-    const BeamOptions& options = beam.options();
+    BeamOptions options = beam.options();
+    const std::shared_ptr<const SectionFibres>& section = beam.section().fibres;
+    if (!section) refuse(what + "its section is not of fibres; create it with section_of_fibres()");
     if (beam.is_truss()) refuse(what + "a truss has no sections of fibres; remove it from fibres");
     if (!options.start_releases.empty() || !options.end_releases.empty())
       refuse(what + "a member of fibres has no releases; remove them, or leave the member elastic");
@@ -101,16 +104,17 @@ void FibreFrame::take_members(const FrameModel& model, const AssembledFrame& ass
       refuse(what + "a member of fibres has no load between its ends; divide it into parts, or load its nodes");
     FibreMemberOptions own = *fibres.options;
     own.geometry = geometry_of(model.geometry);
-    own.axial_force = beam.axial_force();
+    own.axial_force = std::exchange(options.axial_force, 0);
     numbers_.push_back(number);
-    members_.push_back({FibreMember(assembled.positions[start], assembled.positions[end], options, fibres.section, own,
-                                    assembled.dimension),
+    members_.push_back({FibreMember(assembled.positions[start], assembled.positions[end], options,
+                                    {section, &section->section}, own, assembled.dimension),
                         MemberUnknowns(assembled, start, end)});
     take(number, members_.back().unknowns);
   }
   const std::vector<CorotationalMember> all = corotational_members(frame);
   places_.assign(all.size(), 0);
-  for (std::size_t i = 0; i < numbers_.size(); ++i) places_[static_cast<std::size_t>(numbers_[i])] = static_cast<int>(i);
+  for (std::size_t i = 0; i < numbers_.size(); ++i)
+    places_[static_cast<std::size_t>(numbers_[i])] = static_cast<int>(i);
   for (int number = 0; number < frame.members(); ++number) {
     if (std::ranges::find(numbers_, number) != numbers_.end()) continue;
     const CorotationalMember& m = all[static_cast<std::size_t>(number)];
@@ -137,8 +141,7 @@ void FibreFrame::begin_step(Motion& motion) const {
 }
 
 // Forces and tangent at total displacements q.
-double FibreFrame::add(States& states, const VectorXd& q, VectorXd& force,
-                       Eigen::SparseMatrix<double>& tangent) const {
+double FibreFrame::add(States& states, const VectorXd& q, VectorXd& force, Eigen::SparseMatrix<double>& tangent) const {
   force.noalias() = others_ * q;
   tangent = others_;
   double strain = 0;
@@ -184,10 +187,12 @@ bool FibreFrame::accept(Motion& motion, double min_reversal) const {
   const double smallest = min_reversal * std::max(states.largest_strain(members_), smallest_strain);
   bool reversed = false;
   if (!states.stages.empty()) {
-    const auto middle = std::ranges::find(states.stages, 0.5 * states.stages.back().first, [](const auto& stage) { return stage.first; });
+    const auto middle = std::ranges::find(states.stages, 0.5 * states.stages.back().first,
+                                          [](const auto& stage) { return stage.first; });
     states.forces[0] = states.forces[2];
     states.forces[2] = states.stages.back().second;
-    states.forces[1] = middle != states.stages.end() ? middle->second : VectorXd(0.5 * (states.forces[0] + states.forces[2]));
+    states.forces[1] =
+        middle != states.stages.end() ? middle->second : VectorXd(0.5 * (states.forces[0] + states.forces[2]));
   } else {
     states.forces.fill(states.forces_of(states.trial));
   }
@@ -251,15 +256,17 @@ TangentForces::Energy FibreFrame::energy(const Motion& motion, const VectorXd& u
   const States& states = static_cast<const States&>(motion);
   Energy sum{elastic_energy(rest_ + u) - energy_at_rest_.stored, -energy_at_rest_.dissipated};
   for (std::size_t i = 0; i < members_.size(); ++i) {
-    sum.stored += members_[i].beam.stored(states.accepted[i]);
-    sum.dissipated += members_[i].beam.dissipated(states.accepted[i]);
+    const double stored = members_[i].beam.stored(states.accepted[i]);
+    sum.stored += stored;
+    sum.dissipated += members_[i].beam.dissipated(states.accepted[i], stored);
   }
   return sum;
 }
 
 long FibreFrame::fibres() const {
   long sum = 0;
-  for (const Member& member : members_) sum += static_cast<long>(member.beam.section().fibres().size() * member.beam.rule().points.size());
+  for (const Member& member : members_)
+    sum += static_cast<long>(member.beam.section().fibres().size() * member.beam.rule().points.size());
   return sum;
 }
 
@@ -305,8 +312,9 @@ void FibreFrame::load_slowly(const VectorXd& load) {
   at_rest_ = std::make_shared<const States>(states);
   energy_at_rest_.stored = elastic_energy(rest_);
   for (std::size_t i = 0; i < members_.size(); ++i) {
-    energy_at_rest_.stored += members_[i].beam.stored(states.accepted[i]);
-    energy_at_rest_.dissipated += members_[i].beam.dissipated(states.accepted[i]);
+    const double stored = members_[i].beam.stored(states.accepted[i]);
+    energy_at_rest_.stored += stored;
+    energy_at_rest_.dissipated += members_[i].beam.dissipated(states.accepted[i], stored);
   }
 }
 

@@ -69,9 +69,9 @@ class FibreFrame final : public TangentForces {
   std::vector<int> numbers_;
   std::vector<Member> members_;
   std::vector<Elastic> elastic_;
-  std::vector<int> places_;                 // of each member of the frame: its index, or -1 - index in elastic_
-  Eigen::SparseMatrix<double> others_;      // stiffness of everything else, in the pattern of the tangent
-  Eigen::VectorXd load_, rest_;             // at rest
+  std::vector<int> places_;             // of each member of the frame: its index, or -1 - index in elastic_
+  Eigen::SparseMatrix<double> others_;  // stiffness of everything else, in the pattern of the tangent
+  Eigen::VectorXd load_, rest_;         // at rest
   std::shared_ptr<const States> at_rest_;
   Energy energy_at_rest_;
 };

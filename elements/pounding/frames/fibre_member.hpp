@@ -120,7 +120,9 @@ class FibreMember {
   /// Recoverable energy [J], without potential().
   double stored(const State& state) const;
   /// Energy dissipated since the undeformed state [J].
-  double dissipated(const State& state) const;
+  double dissipated(const State& state) const { return dissipated(state, stored(state)); }
+  /// The same, from the stored energy [J].
+  double dissipated(const State& state, double stored) const;
   /// Potential of the axial force at rest, for p_delta [J].
   double potential(const Vector12& displacements) const;
   /// Largest strain of a fibre so far [-].

@@ -72,10 +72,9 @@ double FibreMember::stored(const State& state) const {
   return sum;
 }
 
-double FibreMember::dissipated(const State& state) const {
-  double sum = state.work;
-  for (std::size_t k = 0; k < shapes_.size(); ++k) sum -= weights_[k] * section_->stored(state.fibres[k]);
-  return sum;
+double FibreMember::dissipated(const State& state, double stored) const {
+  const Eigen::Map<const Iterate::Vector6> q(state.forces.data());
+  return state.work + 0.5 * q.dot(elastic_flexibility_ * q) - stored;
 }
 
 }  // namespace pounding

@@ -81,7 +81,7 @@ std::vector<FibreSectionReport> report_fibre_sections(const FrameModel& model) {
     FibreSectionReport& report = report_of(fibres.member);
     ++report.yielding;
     if (!is_restrained(model, fibres.member)) continue;
-    if (!report.restraint) report.restraint = restraint_of(*fibres.section);
+    if (!report.restraint) report.restraint = restraint_of(model.frame.beam(fibres.member).section().fibres->section);
     ++report.restraint->beams;
   }
   return reports;

@@ -47,10 +47,9 @@ struct FrameUplift {
   double stiffness = 0;  ///< > 0 [N/m]
 };
 
-/// A member whose section of fibres yields along its length.
+/// A member that yields along its length. Its section is of fibres (Section::fibres).
 struct FrameFibres {
   int member = 0;
-  std::shared_ptr<const sections::FibreSection> section{};
   std::shared_ptr<const FibreMemberOptions> options{};
 };
 

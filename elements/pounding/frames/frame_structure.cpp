@@ -164,11 +164,10 @@ struct MemberResponse {
 };
 
 MemberResponse response_of(const std::shared_ptr<const CorotationalFrame>& frame) {
-  return {[frame](int member, const Eigen::VectorXd& q, const Eigen::VectorXd&) { return frame->end_forces(member, q); },
-          [frame](int member, const Eigen::VectorXd& q, const Eigen::VectorXd&) {
-            return frame->nodal_forces(member, q);
-          },
-          [frame](int member, const Eigen::VectorXd& q) { return frame->axes(member, q); }};
+  return {
+      [frame](int member, const Eigen::VectorXd& q, const Eigen::VectorXd&) { return frame->end_forces(member, q); },
+      [frame](int member, const Eigen::VectorXd& q, const Eigen::VectorXd&) { return frame->nodal_forces(member, q); },
+      [frame](int member, const Eigen::VectorXd& q) { return frame->axes(member, q); }};
 }
 
 MemberResponse response_of(const std::shared_ptr<const FibreFrame>& frame) {
@@ -185,9 +184,9 @@ MemberResponse response_of(const std::shared_ptr<const FibreFrame>& frame) {
 void report_nonlinear(const std::shared_ptr<const FrameModel>& model, const MemberResponse& response,
                       const Frame::Reactions& reactions, Structure& s) {
   if (model->supports.size() > 1)
-    throw std::invalid_argument(fmt::format(
-        "{} needs the same motion at all supports; remove their delay and ground_motion{}", model->nonlinear_key(),
-        model->fibres.empty() ? ", or type geometry: p_delta" : ", or fibres"));
+    throw std::invalid_argument(
+        fmt::format("{} needs the same motion at all supports; remove their delay and ground_motion{}",
+                    model->nonlinear_key(), model->fibres.empty() ? ", or type geometry: p_delta" : ", or fibres"));
   s.storey_shears = [model, response, above = storey_cuts(*model)](const Eigen::VectorXd& q,
                                                                    const Eigen::VectorXd& in_members) {
     const int directions = model->frame.dimension() - 1;

@@ -17,7 +17,8 @@ MemberUnknowns::MemberUnknowns(const AssembledFrame& assembled, int start, int e
 
 void MemberUnknowns::add_entries(const Matrix12& matrix, std::vector<Eigen::Triplet<double>>& entries) const {
   for (const auto& a : rows_)
-    for (const auto& b : rows_) entries.emplace_back(a.col(), b.col(), a.value() * matrix(a.row(), b.row()) * b.value());
+    for (const auto& b : rows_)
+      entries.emplace_back(a.col(), b.col(), a.value() * matrix(a.row(), b.row()) * b.value());
 }
 
 void MemberUnknowns::find_places(const Eigen::SparseMatrix<double>& of_frame) {

@@ -30,7 +30,7 @@ namespace pounding::hysteresis {
 /// Any law of this library.
 using AnyLaw = std::variant<Bilinear, MenegottoPinto, BoucWen, PeakOriented, FrictionPendulum, LeadRubber, Elastomeric,
                             Backfill, Restrainer, Uplift, MultilinearElastic, ImkBilinear, ImkPeakOriented, ImkPinching,
-                             Bilin, ModImkPeakOriented, ModImkPinching, Hysteretic, Pinching4>;
+                            Bilin, ModImkPeakOriented, ModImkPinching, Hysteretic, Pinching4>;
 
 /// Laws of hinges: those with an initial stiffness and a yield force, which the hinge sets.
 using HingeLaw = std::variant<Bilinear, MenegottoPinto, BoucWen, PeakOriented, ImkBilinear, ImkPeakOriented,

@@ -93,9 +93,7 @@ struct Bilin : SupersededImk<Bilin> {
     if (a.residual < d.residual && a.top < a.soft * a.peak) a.residual = 0;
     s.is_due = a.limit > a.yield / k && (a.limit <= cap(a) || a.limit <= (a.top - a.residual) / a.soft);
   }
-  double plateau(const State& s) const noexcept {
-    return of(s, s.side).residual > 0 ? direction(s.side).residual : 0;
-  }
+  double plateau(const State& s) const noexcept { return of(s, s.side).residual > 0 ? direction(s.side).residual : 0; }
   bool fails_without_residual(const ImkSide& a, double x) const noexcept { return x < a.peak; }
   /// Loads from zero force along the unloading stiffness.
   void reload(State& s) const noexcept { climb(s, s.side * s.deformation, 0); }

@@ -65,7 +65,9 @@ struct SupersededImk : Imk<Self> {
 
  private:
   const Self& self() const noexcept { return static_cast<const Self&>(*this); }
-  std::array<std::optional<double>, 3> capacities() const noexcept { return {this->Lambda_S, Lambda_A, this->Lambda_C}; }
+  std::array<std::optional<double>, 3> capacities() const noexcept {
+    return {this->Lambda_S, Lambda_A, this->Lambda_C};
+  }
   /// Index of the first exhausted capacity, 3 if there is none.
   std::size_t exhausted(const State& s) const noexcept {
     const auto all = capacities();

@@ -43,9 +43,9 @@ struct ImkState {
   int side = 0;
   bool is_on_backbone = false, was_residual = false;
   double end = 0, k = 0, begun = 0, pinch = 0, pinch_force = 0;
-  double ratio = 1;                        // mod_imk laws: product of all 1 - beta_K
-  bool is_due = false;                    // the backbone was reached since the last deterioration
-  bool is_final = false;                  // bilin: no further deterioration
+  double ratio = 1;       // mod_imk laws: product of all 1 - beta_K
+  bool is_due = false;    // the backbone was reached since the last deterioration
+  bool is_final = false;  // bilin: no further deterioration
   std::array<ImkSide, 2> sides{};
 };
 
@@ -67,12 +67,8 @@ constexpr auto imk_parameters(const More&... more) {
   };
   const auto negative = [](std::string_view name, std::string_view unit, std::string_view meaning, double typical,
                            std::string_view at_hinge) {
-    return ParameterInfo{.name = name,
-                         .unit = unit,
-                         .meaning = meaning,
-                         .typical = typical,
-                         .need = Need::extra,
-                         .at_hinge = at_hinge};
+    return ParameterInfo{
+        .name = name, .unit = unit, .meaning = meaning, .typical = typical, .need = Need::extra, .at_hinge = at_hinge};
   };
   const auto factor = [](std::string_view name, std::string_view meaning) {
     return ParameterInfo{name, "", meaning, 1, Need::optional};
@@ -115,10 +111,12 @@ constexpr auto imk_parameters(const More&... more) {
       P{exponent("c_S"), &L::c_S},
       P{exponent("c_C"), &L::c_C},
       P{exponent("c_K"), &L::c_K},
-      P{{"negative_yield_force", "N", "magnitude of the yield force in the negative direction (default yield_force)", 1e5,
-         Need::extra},
+      P{{"negative_yield_force", "N", "magnitude of the yield force in the negative direction (default yield_force)",
+         1e5, Need::extra},
         &L::negative_yield_force},
-      P{negative("hardening_neg", "", "hardening in the negative direction (default hardening)", 0.03, "spring_hardening_neg"), &L::hardening_neg},
+      P{negative("hardening_neg", "", "hardening in the negative direction (default hardening)", 0.03,
+                 "spring_hardening_neg"),
+        &L::hardening_neg},
       P{negative("FmaxFy_neg", "", "FmaxFy in the negative direction (default FmaxFy)", 1.05, {}), &L::FmaxFy_neg},
       P{negative("dp_neg", "m", "dp in the negative direction (default dp)", 0.04, "theta_p_neg"), &L::dp_neg},
       P{negative("dpc_neg", "m", "dpc in the negative direction (default dpc)", 0.1, "theta_pc_neg"), &L::dpc_neg},

@@ -15,9 +15,9 @@ namespace pounding::hysteresis {
 /// which Self provides, to the peak. A path below this line has the unloading stiffness; at the peak the force jumps to
 /// the backbone. Every reversal, also below the backbone and during unloading, reduces the unloading stiffness.
 ///
-/// OpenSees agrees to 1e-6 as its steps are refined. It loses all force at the first zero force if its Lamda_D is 0, where
-/// this law without Lambda_C does not deteriorate the softening line; 1e9 does the same there. Exponents other than whole
-/// numbers make its result NaN by round-off of an energy that is zero.
+/// OpenSees agrees to 1e-6 as its steps are refined. It loses all force at the first zero force if its Lamda_D is 0,
+/// where this law without Lambda_C does not deteriorate the softening line; 1e9 does the same there. Exponents other
+/// than whole numbers make its result NaN by round-off of an energy that is zero.
 template <class Self>
 struct ModImk : SupersededImk<Self> {
   using State = ImkState;  ///< accepted state
@@ -57,7 +57,8 @@ struct ModImk : SupersededImk<Self> {
   void deteriorate(State& s, double beta_S, double beta_A, double beta_C) const noexcept {
     ImkSide& a = this->of(s, s.side);
     a.peak *= 1 + beta_A;
-    this->lower(a, this->direction(s.side), (1 - beta_S) * a.yield, (1 - beta_S) * a.slope, (1 - beta_C) * a.top, a.soft);
+    this->lower(a, this->direction(s.side), (1 - beta_S) * a.yield, (1 - beta_S) * a.slope, (1 - beta_C) * a.top,
+                a.soft);
   }
   /// Loads from zero force.
   void reload(State& s) const noexcept {
@@ -109,8 +110,7 @@ struct ModImk : SupersededImk<Self> {
 /// Reloading from zero force goes towards the last reversal of the side if that is steeper, then towards its peak.
 struct ModImkPeakOriented : ModImk<ModImkPeakOriented> {
   static constexpr std::string_view name = "mod_imk_peak_oriented", replaced_by = "imk_peak_oriented",
-                                    shape =
-                                        "backbone of bilin; reloading towards the last reversal and the peak";
+                                    shape = "backbone of bilin; reloading towards the last reversal and the peak";
   static constexpr std::string_view summary =
       "reinforced concrete with deterioration and softening, superseded (ModIMKPeakOriented)";
   static constexpr std::string_view source = imk_source;
@@ -120,7 +120,8 @@ struct ModImkPeakOriented : ModImk<ModImkPeakOriented> {
   static constexpr std::string_view range =
       "FmaxFy >= 1, 0 <= FresFy < 1; Lambda has the unit of the deformation and is lambda theta_p, not lambda";
   static constexpr std::string_view beware =
-      "superseded: its authors replaced it by imk_peak_oriented (IMKPeakOriented). Softens, so equilibrium may be lost: "
+      "superseded: its authors replaced it by imk_peak_oriented (IMKPeakOriented). Softens, so equilibrium may be "
+      "lost: "
       "a run can end in collapse. Each reversal reduces the unloading stiffness, also that of a ripple, and the force "
       "jumps where reloading with it reaches the peak";
 
@@ -136,8 +137,8 @@ struct ModImkPeakOriented : ModImk<ModImkPeakOriented> {
     const double force = backbone(a, a.peak);
     // The residual branch of OpenSees rises by 1e-7 N/m, so that an earlier point on it lies below.
     const bool is_lower = a.turn_force < force || (a.turn_force == force && force == a.residual);
-    const bool is_above = a.turn > a.zero && a.turn < a.peak && is_lower &&
-                          a.turn_force * (a.peak - a.zero) > force * (a.turn - a.zero);
+    const bool is_above =
+        a.turn > a.zero && a.turn < a.peak && is_lower && a.turn_force * (a.peak - a.zero) > force * (a.turn - a.zero);
     return is_above ? Point{a.turn, a.turn_force} : Point{a.zero, 0};
   }
 };
@@ -149,8 +150,9 @@ struct ModImkPeakOriented : ModImk<ModImkPeakOriented> {
 /// spring fails where that is stiffer than unloading. Unloading is no softer than the line between both peaks.
 struct ModImkPinching : ModImk<ModImkPinching> {
   static constexpr std::string_view name = "mod_imk_pinching", replaced_by = "imk_pinching",
-                                    shape = "backbone of bilin; reloading with Fpr of the slope to the peak, up to "
-                                            "A_pinch d_res";
+                                    shape =
+                                        "backbone of bilin; reloading with Fpr of the slope to the peak, up to "
+                                        "A_pinch d_res";
   static constexpr std::string_view summary =
       "connections and walls with pinching, deterioration and softening, superseded (ModIMKPinching)";
   static constexpr std::string_view source = imk_source;
@@ -161,19 +163,19 @@ struct ModImkPinching : ModImk<ModImkPinching> {
   static constexpr std::string_view range =
       "FmaxFy >= 1, 0 <= FresFy < 1, 0 < FprPos, FprNeg <= 1, 0 <= A_pinch <= 1; Lambda is lambda theta_p, not lambda";
   static constexpr std::string_view beware =
-      "superseded: its authors replaced it by imk_pinching (IMKPinching). With Lambda_K, the spring loses its force for "
+      "superseded: its authors replaced it by imk_pinching (IMKPinching). With Lambda_K, the spring loses its force "
+      "for "
       "good at the first ripple of unloading behind a peak. Softens, so equilibrium may be lost";
 
-  double FprPos = 0;                 ///< in (0, 1] [-]
-  std::optional<double> FprNeg{};    ///< in (0, 1], default FprPos [-]
-  double A_pinch = 0;                ///< in [0, 1] [-]
+  double FprPos = 0;               ///< in (0, 1] [-]
+  std::optional<double> FprNeg{};  ///< in (0, 1], default FprPos [-]
+  double A_pinch = 0;              ///< in [0, 1] [-]
 
   static constexpr std::array parameters = imk_reloading_parameters<ModImkPinching>(
       Parameter<ModImkPinching>{{"FprPos", "", "slope towards the pinching point over that to the peak", 0.4},
                                 &ModImkPinching::FprPos},
-      Parameter<ModImkPinching>{
-          {"FprNeg", "", "FprPos in the negative direction (default FprPos)", 0.3, Need::extra},
-          &ModImkPinching::FprNeg},
+      Parameter<ModImkPinching>{{"FprNeg", "", "FprPos in the negative direction (default FprPos)", 0.3, Need::extra},
+                                &ModImkPinching::FprNeg},
       Parameter<ModImkPinching>{
           {"A_pinch", "", "ratio of the deformation of the pinching point to the residual one of the peak", 0.6},
           &ModImkPinching::A_pinch});

@@ -83,8 +83,8 @@ void TangentSolver::add_block(const System& system, int number) {
   b.coupling = submatrix(b.stiffness, b.massless, b.dynamic);
   b.damping = own(system.damping) + group.by_mass * b.mass;
   if (group.by_stiffness != 0)
-    b.damping += group.by_stiffness *
-                 condensed(b.stiffness, b.dynamic, b.massless, b.massless_stiffness.get(), b.coupling);
+    b.damping +=
+        group.by_stiffness * condensed(b.stiffness, b.dynamic, b.massless, b.massless_stiffness.get(), b.coupling);
   b.closing = rows_of(system.gap_jacobian, b.first, b.size);
   b.outputs = rows_of(system.outputs, b.first, b.size);
   for (int i = 0; i < b.closing.outerSize(); ++i)
@@ -131,8 +131,7 @@ void TangentSolver::stiffness_times(Ref<const MatrixXd> x, Ref<MatrixXd> y) cons
 }
 
 void TangentSolver::damping_times(Ref<const MatrixXd> x, Ref<const MatrixXd> kx, Ref<MatrixXd> y) const {
-  if (linear_)
-    linear_->damping_times(x.topRows(linear_size()), kx.topRows(linear_size()), y.topRows(linear_size()));
+  if (linear_) linear_->damping_times(x.topRows(linear_size()), kx.topRows(linear_size()), y.topRows(linear_size()));
   each([&](const Block& b) {
     y.middleRows(b.coordinate, b.size).noalias() = b.damping * x.middleRows(b.coordinate, b.size);
   });
@@ -140,9 +139,7 @@ void TangentSolver::damping_times(Ref<const MatrixXd> x, Ref<const MatrixXd> kx,
 
 void TangentSolver::mass_times(Ref<const VectorXd> x, Ref<VectorXd> y) const {
   if (linear_) linear_->mass_times(x.head(linear_size()), y.head(linear_size()));
-  each([&](const Block& b) {
-    y.segment(b.coordinate, b.size).noalias() = b.mass * x.segment(b.coordinate, b.size);
-  });
+  each([&](const Block& b) { y.segment(b.coordinate, b.size).noalias() = b.mass * x.segment(b.coordinate, b.size); });
 }
 
 void TangentSolver::accelerate(Ref<VectorXd> r) const {
@@ -237,8 +234,7 @@ bool TangentSolver::flexibility(std::span<const int> links, MatrixXd& g) {
   return g.allFinite();
 }
 
-void TangentSolver::add_response(double factor, std::span<const int> links, const VectorXd& f,
-                                 Ref<VectorXd> y) const {
+void TangentSolver::add_response(double factor, std::span<const int> links, const VectorXd& f, Ref<VectorXd> y) const {
   if (linear_) linear_->add_response(factor, links, f, y.head(linear_size()));
   each([&](const Block& b) { y.segment(b.coordinate, b.size).noalias() += factor * (b.columns * f); });
 }

@@ -142,7 +142,7 @@ void StructureHistories::sample_frames(const OutputInstant& at) {
 
 // Contribution of nonlinear members and yielding parts to the reported forces.
 Eigen::VectorXd StructureHistories::forces_beside(int k, const Eigen::VectorXd& u,
-                                                 const Eigen::VectorXd& in_members) const {
+                                                  const Eigen::VectorXd& in_members) const {
   const InternalForces& of = model_.structures[k].forces;
   Eigen::VectorXd all = Eigen::VectorXd::Zero(of.rows.rows());
   if (of.nonlinear) all = of.nonlinear(u, in_members);

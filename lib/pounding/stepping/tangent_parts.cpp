@@ -27,9 +27,18 @@ TangentParts::TangentParts(const System& system, StructureSolver& solver) : solv
     const Group& group = system.groups[static_cast<std::size_t>(s.group)];
     if (!group.tangent) continue;
     const SparseMatrix stiffness = system.stiffness.block(group.first, group.first, group.count, group.count);
-    parts_.push_back({s.group, group.first, s.first, s.count, *group.tangent, stiffness,
-                      split_by_mass(system.mass, group.first, group.count).massless, group.tangent->start(),
-                      {}, {}, {}, {}});
+    parts_.push_back({s.group,
+                      group.first,
+                      s.first,
+                      s.count,
+                      *group.tangent,
+                      stiffness,
+                      split_by_mass(system.mass, group.first, group.count).massless,
+                      group.tangent->start(),
+                      {},
+                      {},
+                      {},
+                      {}});
   }
 }
 
@@ -47,8 +56,7 @@ void TangentParts::settle(Eigen::Ref<VectorXd> u) {
       const double strain = linearize(part, own);
       double change = 0;
       if (!part.massless.empty()) {
-        const VectorXd step =
-            part.factor_of_massless(part.last.tangent).solve(-part.last.force(part.massless));
+        const VectorXd step = part.factor_of_massless(part.last.tangent).solve(-part.last.force(part.massless));
         own(part.massless) += step;
         change = step.cwiseAbs().maxCoeff();
       }

@@ -121,9 +121,7 @@ class FibreMembersReader {
     options.shear_stiffness_y = beam.material().shear * beam.section().shear_area_y;
     options.shear_stiffness_z = beam.material().shear * beam.section().shear_area_z;
     options.torsion_stiffness = beam.material().shear * beam.section().torsion;
-    model_.fibres.push_back({member,
-                             {beam.section().fibres, &fibres.section},
-                             std::make_shared<const FibreMemberOptions>(std::move(options))});
+    model_.fibres.push_back({member, std::make_shared<const FibreMemberOptions>(std::move(options))});
   }
 
   IntegrationRule hinge_rule(const WholeMember& whole) const {
