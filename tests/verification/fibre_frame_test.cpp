@@ -243,9 +243,11 @@ TEST(FibreFrame, RestoredStateGoesTheSameWay) {
 
 // With elastic fibres, the frame is that of elastic members.
 TEST(FibreFrame, ElasticFibresAreElasticMembers) {
-  const Section section = section_of_fibres(rectangle_section(0.4, 0.4),
-                                            {{"elastic", materials::make_material({"elastic", {{"E", 30e9}}}), 0, {}}},
-                                            sections::rectangle(0.4, 0.4, 0, 40), {.name = "elastic"});
+  Section shape = rectangle_section(0.4, 0.4);
+  shape.shear_area_y = shape.shear_area_z = std::numeric_limits<double>::infinity();
+  const std::vector<FibreMaterial> elastic{{"elastic", materials::make_material({"elastic", {{"E", 30e9}}}), 0, {}}};
+  const Section section =
+      section_of_fibres(shape, elastic, sections::rectangle(0.4, 0.4, 0, 40), {.name = "elastic"});
   const auto options = std::make_shared<const FibreMemberOptions>();
   for (const FrameGeometry geometry : {FrameGeometry::linear, FrameGeometry::p_delta, FrameGeometry::corotational}) {
     std::vector<std::vector<double>> moved;
@@ -264,7 +266,7 @@ TEST(FibreFrame, ElasticFibresAreElasticMembers) {
       for (int member = 0; with_fibres && member < frame.frame.members(); ++member)
         frame.fibres.push_back({member, options});
       Model model;
-      model.add("frame", make_structure(std::move(frame)), {.damping = RayleighDamping{.ratio = 0.05}});
+      model.add("frame", make_structure(std::move(frame)), {.damping = damping});
       model.ground = el_centro();
       model.analysis = {.duration = 3, .tolerance = 1e-7};
       const Outcome run = pounding::run(model);
@@ -273,7 +275,7 @@ TEST(FibreFrame, ElasticFibresAreElasticMembers) {
       shears.push_back(shear.max[0]);
     }
     // P-Delta of a fibre member neglects the curvature of its axis.
-    const double bound = geometry == FrameGeometry::p_delta ? 1e-3 : 1e-5;
+    const double bound = geometry == FrameGeometry::p_delta ? 2e-3 : 1e-5;
     for (std::size_t floor = 0; floor < 2; ++floor)
       EXPECT_NEAR(moved[0][floor], moved[1][floor], bound * moved[0][floor]) << static_cast<int>(geometry);
     EXPECT_NEAR(shears[0], shears[1], bound * std::abs(shears[0])) << static_cast<int>(geometry);
