@@ -246,8 +246,7 @@ TEST(FibreFrame, ElasticFibresAreElasticMembers) {
   Section shape = rectangle_section(0.4, 0.4);
   shape.shear_area_y = shape.shear_area_z = std::numeric_limits<double>::infinity();
   const std::vector<FibreMaterial> elastic{{"elastic", materials::make_material({"elastic", {{"E", 30e9}}}), 0, {}}};
-  const Section section =
-      section_of_fibres(shape, elastic, sections::rectangle(0.4, 0.4, 0, 40), {.name = "elastic"});
+  const Section section = section_of_fibres(shape, elastic, sections::rectangle(0.4, 0.4, 0, 40), {.name = "elastic"});
   const auto options = std::make_shared<const FibreMemberOptions>();
   for (const FrameGeometry geometry : {FrameGeometry::linear, FrameGeometry::p_delta, FrameGeometry::corotational}) {
     std::vector<std::vector<double>> moved;

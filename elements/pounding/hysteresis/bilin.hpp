@@ -55,11 +55,14 @@ struct Bilin : SupersededImk<Bilin> {
     Imk::check(use);
     laws::require_not_negative("nFactor", nFactor);
   }
+  /// Slope of the softening line before any deterioration [N/m].
   double softening(const Direction& d) const noexcept {
     return -initial_stiffness * in_series(-d.maximum / d.dpc * (1 + nFactor) / initial_stiffness);
   }
   static constexpr bool fails_at_beta_1 = false;
+  /// True if strength deteriorates at this zero of the force.
   bool is_due(const State& s) const noexcept { return s.is_due && !s.is_final && s.rule == ImkRule::unloading; }
+  /// Reverses the direction of loading; keeps the largest deformation on the backbone.
   void turn(State& s, int way) const noexcept {
     if (s.rule > ImkRule::below && s.rule < ImkRule::lost && way != s.side) {
       ImkSide& a = of(s, s.side);
@@ -67,6 +70,7 @@ struct Bilin : SupersededImk<Bilin> {
     }
     Imk::turn(s, way);
   }
+  /// Unloading stiffness after a reversal here [N/m]; 0 if the spring fails.
   double unloading_stiffness(const State& s) const noexcept {
     if (s.rule < ImkRule::below || !Lambda_K) return s.k;
     const double force = force_at(s, s.deformation), returned = 0.5 * force * force / s.k;
@@ -77,6 +81,7 @@ struct Bilin : SupersededImk<Bilin> {
     const double beta = std::min(std::pow(std::max(added, 0.0) / rest, c_K), 1.0);
     return k * in_series(std::max(0.1, of_member(s.k / k) * (1 - beta)));
   }
+  /// Lowers the backbone of the side that is entered.
   void deteriorate(State& s, double beta_S, double /*beta_A*/, double beta_C) const noexcept {
     const Direction d = direction(s.side);
     const double k = initial_stiffness, steep = softening(d);
@@ -93,7 +98,9 @@ struct Bilin : SupersededImk<Bilin> {
     if (a.residual < d.residual && a.top < a.soft * a.peak) a.residual = 0;
     s.is_due = a.limit > a.yield / k && (a.limit <= cap(a) || a.limit <= (a.top - a.residual) / a.soft);
   }
+  /// Residual force of the present side [N].
   double plateau(const State& s) const noexcept { return of(s, s.side).residual > 0 ? direction(s.side).residual : 0; }
+  /// True if a softening line that reaches zero force at x ends the law.
   bool fails_without_residual(const ImkSide& a, double x) const noexcept { return x < a.peak; }
   /// Loads from zero force along the unloading stiffness.
   void reload(State& s) const noexcept { climb(s, s.side * s.deformation, 0); }

@@ -74,8 +74,9 @@ struct Hysteretic : Backbone<Hysteretic, HystereticState, 3> {
       Parameter<Hysteretic>{points.negative_deformation(2), &Hysteretic::e3n},
       Parameter<Hysteretic>{{"pinchX", "", "deformation ratio of the pinching point", 0.7, Need::optional},
                             &Hysteretic::pinchX},
-      Parameter<Hysteretic>{{"pinchY", "", "force ratio of the pinching point; 1 is no pinching", 0.3, Need::optional},
-                            &Hysteretic::pinchY},
+      Parameter<Hysteretic>{
+          {"pinchY", "", "force ratio of the pinching point; 1 without pinching", 0.3, Need::optional},
+          &Hysteretic::pinchY},
       Parameter<Hysteretic>{
           {"damage1", "", "growth of the target deformation with the ductility", 0.01, Need::optional},
           &Hysteretic::damage1},

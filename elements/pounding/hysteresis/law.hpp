@@ -82,7 +82,7 @@ inline constexpr double gives_back = [] {
 template <Law L>
 inline constexpr bool ripples_give_back = requires { requires L::ripples_give_back; };
 
-/// The same bound for a cycle that has been repeated a hundred times.
+/// Bound as gives_back, for a cycle that has been repeated a hundred times.
 template <Law L>
 inline constexpr double cycle_gives_back = [] {
   if constexpr (requires { L::cycle_gives_back; }) return L::cycle_gives_back;

@@ -30,8 +30,11 @@ struct ModImk : SupersededImk<Self> {
     double x = 0, force = 0;
   };
 
+  /// True if strength deteriorates at this zero of the force: always.
   bool is_due(const State&) const noexcept { return true; }
+  /// True if a softening line that reaches zero force ends the law: never.
   bool fails_without_residual(const ImkSide&, double) const noexcept { return false; }
+  /// Reverses the direction of loading, with the weakened unloading stiffness.
   void turn(State& s, int way) const noexcept {
     const bool loads = s.rule != ImkRule::unloading;
     if (s.rule == ImkRule::elastic || s.rule == ImkRule::failed || (way == s.side) == loads) return;
@@ -51,9 +54,11 @@ struct ModImk : SupersededImk<Self> {
     if (f == 0) return this->cross(s, way);
     this->begin(s, ImkRule::unloading, x, f, s.k, 0);
   }
+  /// Unloading stiffness after a reversal here [N/m].
   double unloading_stiffness(const State& s) const noexcept {
     return s.rule == ImkRule::unloading ? s.k : weakened(s).second;
   }
+  /// Lowers the backbone of the side that is entered, and moves its peak outwards.
   void deteriorate(State& s, double beta_S, double beta_A, double beta_C) const noexcept {
     ImkSide& a = this->of(s, s.side);
     a.peak *= 1 + beta_A;
@@ -129,7 +134,9 @@ struct ModImkPeakOriented : ModImk<ModImkPeakOriented> {
   static constexpr std::array state = imk_state<ModImkPeakOriented>;
   static constexpr bool fails_if_steeper = false, fails_at_beta_1 = false;
 
+  /// True if a reversal keeps the unloading stiffness: never.
   bool keeps_stiffness(const State&, int) const noexcept { return false; }
+  /// Lower bound of the unloading stiffness [N/m].
   double min_stiffness(const State&) const noexcept { return 0; }
   /// The last reversal, if it lies above the straight line to the peak; else the zero force.
   Point corner_of(const State& s) const noexcept {

@@ -280,8 +280,6 @@ class Pusher {
 }  // namespace
 
 PushPath push(const Structure& structure, const PushOptions& options) {
-  if (structure.tangent)
-    throw std::invalid_argument("a pushover of members of fibres is not supported; give them hinges");
   if (structure.yielding.empty()) throw std::invalid_argument("it has no yielding parts");
   if (structure.elastic)
     throw std::invalid_argument("large rotations are not supported; remove geometry: corotational");

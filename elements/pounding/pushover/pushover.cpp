@@ -79,6 +79,8 @@ Eigen::VectorXd force_on(const Structure& s, std::size_t floor, int direction) {
 }
 
 void check(const Structure& s, const PushoverOptions& options) {
+  if (s.tangent)
+    refuse("its members are of fibres, which a pushover does not support; give them hinges, or type pounding section");
   if (s.yielding.empty())
     refuse("it has no yielding parts; give yield_force to an oscillator or a shear_building, or hinges to a frame");
   if (s.floors.empty()) refuse("it has no floors to push; define them under floors");

@@ -197,7 +197,7 @@ double FibreSection::work(const FibreStates& states, const Deformation& deformat
                }
                for (std::size_t i = 0; i < count; ++i) {
                  if constexpr (materials::Lanes<M>::in_lanes) {
-                   // Most paths are straight lines of unloading or elastic fibres; they need no search for corners.
+                   // Straight paths of unloading or elastic fibres need no search for corners.
                    const double path = strain[i] - begin_strain[i], rise = stress[i] - begin_stress[i];
                    if (std::abs(rise - slope[i] * path) <= 1e-13 * law.stiffness() * std::abs(path)) {
                      sum += area_[begin + i] * (0.5 * (stress[i] + begin_stress[i]) * path);

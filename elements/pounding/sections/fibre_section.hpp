@@ -55,7 +55,7 @@ using FibreStates = std::vector<LanesOf<materials::AnyMaterial>::type>;
 /// in FibreStates.
 class FibreSection {
  public:
-  /// Throws std::invalid_argument if there are no fibres, an area is not positive, or a material index is out of range.
+  /// Throws std::invalid_argument without fibres, if an area is not positive, or a material index is out of range.
   FibreSection(std::vector<materials::AnyMaterial> materials, Fibres fibres);
 
   /// Undeformed states.

@@ -18,6 +18,11 @@ std::unique_ptr<StructureSolver> make_solver(const System& system, SolverKind ki
   const bool requested =
       std::ranges::any_of(plan.groups, [](const Reduction& how) { return how.kind != Reduction::Kind::none; });
   if (kind != SolverKind::automatic || !requested) return make_solver(system, kind, comm);
+  for (std::size_t k = 0; k < system.groups.size(); ++k)
+    if (system.groups[k].tangent)
+      throw InputError(fmt::format(
+          "a reduction is not available in a model with members of fibres, and \"{}\" has some; remove reduction",
+          plan.names[k]));
   if (const std::optional<ReducedGroups> reduced = reduced_groups(system, plan)) {
     const auto is_shadowed = [](const std::optional<ReducedGroup>& group) { return group && group->shadow; };
     if (std::ranges::any_of(*reduced, is_shadowed)) return std::make_unique<ShadowedSolver>(system, *reduced);

@@ -124,7 +124,8 @@ class EveryNumber(unittest.TestCase):
         }
         self.assertEqual(sorted(words - {place[:2] for place in seen}), [])
         self.assertGreater(fates["other numbers"], 200, fates)
-        self.assertLess(fates["refused"] + fates["failed"], 50, fates)
+        # Values at a bound of their range, such as a factor of 1, and numbers that depend on others.
+        self.assertLess(fates["refused"] + fates["failed"], 0.05 * fates.total(), fates)
 
     def test_a_face(self):
         frame = "frame: {material: {E: 30 GPa}, grid: {storeys: 1, bays: 1, storey_height: 3 m, bay_width: 6 m, columns: {rectangle: [0.4, 0.4]}, beams: {rectangle: [0.3, 0.5]}, floor_mass: 50 t}"
