@@ -382,7 +382,7 @@ std::vector<std::string> implausible_drifts(const Model& model, std::span<const 
   for (std::size_t k = 0; k < drifts.size(); ++k) {
     const Structure& s = model.structures[k];
     // Members in large rotations are expected to drift far.
-    const std::vector<double> heights = s.forces.nonlinear ? std::vector<double>{} : storey_heights(s);
+    const std::vector<double> heights = s.elastic ? std::vector<double>{} : storey_heights(s);
     // Isolators move far by design, and the lowest floor of a frame on isolators moves with them.
     std::size_t worst = is_isolated(s) ? 1 : 0;
     for (std::size_t i = worst + 1; i < std::min(heights.size(), drifts[k].size()); ++i)
