@@ -44,7 +44,7 @@ TEST(FibreColumn, PushedToAndFroHasTheForcesOfAnIndependentProgram) {
   test::Book book("Fibre members: a cantilever of reinforced concrete, pushed to and fro",
                   "an independent implementation that agrees with OpenSees 3.7.1 to 5e-9 of the maximum force",
                   "the digits of the reference, relative to the maximum force");
-  const FibreMemberOptions p_delta{.geometry = MemberGeometry::p_delta, .axial_force = -weight};
+  const FibreMemberOptions p_delta{.geometry = FrameGeometry::p_delta, .axial_force = -weight};
   FibreMemberOptions three = p_delta, hinge = p_delta;
   three.rule = lobatto(3);
   hinge.rule = hinge_radau(0.1, 0.1);
@@ -55,7 +55,7 @@ TEST(FibreColumn, PushedToAndFroHasTheForcesOfAnIndependentProgram) {
     std::vector<double> expected;
   } cases[] = {
       {"5 Lobatto points, corotational: tip force [N]",
-       {.geometry = MemberGeometry::corotational},
+       {.geometry = FrameGeometry::corotational},
        1,
        {59898.61017, 85864.57737, -8131.705836, -86827.34558, 46649.59503, 89957.92171, -47567.29772, -89960.21819,
         56211.06903, 89300.95094, -55446.65356, -89300.29248, 29167.06739, 55435.11348}},
@@ -75,7 +75,7 @@ TEST(FibreColumn, PushedToAndFroHasTheForcesOfAnIndependentProgram) {
        {59918.29264, 84917.6477, -8403.914056, -85779.20927, 46073.97003, 92341.33902, -38352.7642, -92344.52316,
         49626.53015, 86148.1394, -55972.04276, -86148.35591, 29822.56932, 55973.48771}},
       {"4 members by displacements, corotational: tip force [N]",
-       {.rule = lobatto(4), .formulation = MemberFormulation::displacement, .geometry = MemberGeometry::corotational},
+       {.rule = lobatto(4), .formulation = MemberFormulation::displacement, .geometry = FrameGeometry::corotational},
        4,
        {59973.37285, 88526.0325, -6085.708934, -87966.61717, 48708.38783, 101641.8374, -35416.34107, -103772.0633,
         43268.1433, 100052.9117, -45712.51052, -100011.4939, 3625.786694, 45815.52022}}};
@@ -168,12 +168,12 @@ double energy_error(FibreColumn& column, double step) {
 
 TEST(FibreColumn, WorkIsStoredOrDissipated) {
   const FibreMemberOptions cases[] = {
-      {.geometry = MemberGeometry::corotational},
-      {.geometry = MemberGeometry::p_delta, .axial_force = -weight},
+      {.geometry = FrameGeometry::corotational},
+      {.geometry = FrameGeometry::p_delta, .axial_force = -weight},
       {.rule = hinge_radau(0.1, 0.1, HingeInterior::elastic),
-       .geometry = MemberGeometry::corotational,
+       .geometry = FrameGeometry::corotational,
        .shear_stiffness_z = 5e8},
-      {.rule = lobatto(3), .formulation = MemberFormulation::displacement, .geometry = MemberGeometry::corotational}};
+      {.rule = lobatto(3), .formulation = MemberFormulation::displacement, .geometry = FrameGeometry::corotational}};
   for (const FibreMemberOptions& options : cases)
     for (const char* steel : {"steel01", "menegotto_pinto"}) {
       FibreColumn coarse(reinforced(steel), options, height, 1, 2), fine = coarse;
@@ -185,7 +185,7 @@ TEST(FibreColumn, WorkIsStoredOrDissipated) {
 }
 
 TEST(FibreColumn, MirroredLoadsHaveMirroredResults) {
-  for (const MemberGeometry geometry : {MemberGeometry::linear, MemberGeometry::corotational}) {
+  for (const FrameGeometry geometry : {FrameGeometry::linear, FrameGeometry::corotational}) {
     FibreColumn one(reinforced("menegotto_pinto"), {.geometry = geometry}, height, 1, 2), other = one;
     for (FibreColumn* column : {&one, &other}) {
       column->set_load(Dof::uz, -weight);
@@ -203,7 +203,7 @@ TEST(FibreColumn, MirroredLoadsHaveMirroredResults) {
 
 // A moderate step into yielding; materials with a continuous slope between corners.
 TEST(FibreColumn, ConvergesQuadratically) {
-  FibreColumn column(reinforced("menegotto_pinto"), {.geometry = MemberGeometry::corotational}, height, 1, 2);
+  FibreColumn column(reinforced("menegotto_pinto"), {.geometry = FrameGeometry::corotational}, height, 1, 2);
   column.set_load(Dof::uz, -weight);
   column.apply_load();
   for (int i = 1; i <= 8; ++i) {
@@ -242,7 +242,7 @@ TEST(FibreColumn, SoftensAsInAnIndependentProgram) {
                 hinge_radau(0.1, 0.1),
                 {55191.18531, 75837.17863, 75914.07356, 18346.97104, -4560.050767}}};
   for (const auto& [name, rule, expected] : cases) {
-    FibreColumn column(section, {.rule = rule, .geometry = MemberGeometry::corotational}, height, 1, 2);
+    FibreColumn column(section, {.rule = rule, .geometry = FrameGeometry::corotational}, height, 1, 2);
     column.set_load(Dof::uz, -150e3 * 9.80665);
     column.apply_load();
     std::size_t next = 0;

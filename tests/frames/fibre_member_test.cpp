@@ -87,12 +87,12 @@ FibreMember member_of(const SharedSection& section, FibreMemberOptions options, 
 std::vector<FibreMemberOptions> all_options() {
   std::vector<FibreMemberOptions> all;
   for (const auto formulation : {MemberFormulation::force, MemberFormulation::displacement})
-    for (const auto geometry : {MemberGeometry::linear, MemberGeometry::p_delta, MemberGeometry::corotational})
+    for (const auto geometry : {FrameGeometry::linear, FrameGeometry::p_delta, FrameGeometry::corotational})
       all.push_back({.formulation = formulation,
                      .geometry = geometry,
-                     .axial_force = geometry == MemberGeometry::p_delta ? -5e5 : 0});
+                     .axial_force = geometry == FrameGeometry::p_delta ? -5e5 : 0});
   all.push_back({.rule = hinge_radau(0.1, 0.05, HingeInterior::elastic),
-                 .geometry = MemberGeometry::corotational,
+                 .geometry = FrameGeometry::corotational,
                  .shear_stiffness_y = 3e8,
                  .shear_stiffness_z = 2e8});
   return all;
@@ -169,7 +169,7 @@ TEST(FibreMember, ElasticFibresAreAnElasticBeam) {
 TEST(FibreMember, ElasticFibresAreACorotationalBeamInLargeRotations) {
   for (const int dimension : {2, 3}) {
     const SharedSection section = elastic(dimension == 2 ? 0 : 12);
-    const FibreMember member = member_of(section, {.geometry = MemberGeometry::corotational}, dimension);
+    const FibreMember member = member_of(section, {.geometry = FrameGeometry::corotational}, dimension);
     BeamOptions orientation{.start_offset = {0.1, 0, 0.2}, .end_offset = {-0.05, 0, -0.3}};
     if (dimension == 3) orientation.start_offset.y() = 0.15, orientation.reference = Vector3d(0.2, 1, 0.3);
     const CorotationalBeam beam(start, dimension == 2 ? end_in_plane : end_in_space,
@@ -199,7 +199,7 @@ TEST(FibreMember, ElasticFibresAreACorotationalBeamInLargeRotations) {
 }
 
 TEST(FibreMember, AxialForceAtRestPullsTheChordBack) {
-  FibreMemberOptions options{.geometry = MemberGeometry::p_delta, .axial_force = 1e6};
+  FibreMemberOptions options{.geometry = FrameGeometry::p_delta, .axial_force = 1e6};
   const FibreMember linear(Vector3d::Zero(), {0, 0, 4}, {}, elastic(0), {}, 2);
   const FibreMember tense(Vector3d::Zero(), {0, 0, 4}, {}, elastic(0), options, 2);
   Vector12 u = Vector12::Zero();
@@ -215,7 +215,7 @@ TEST(FibreMember, AxialForceAtRestPullsTheChordBack) {
 }
 
 TEST(FibreMember, ConvergedResultsDependOnStateAndDisplacementsOnly) {
-  const FibreMember member = member_of(reinforced(0), {.geometry = MemberGeometry::corotational}, 2);
+  const FibreMember member = member_of(reinforced(0), {.geometry = FrameGeometry::corotational}, 2);
   std::mt19937 random(4);
   const Vector12 u = random_displacements(random, 4e-3, 4e-3, 2);
   const FibreMember::State rest = member.undeformed();
@@ -288,7 +288,7 @@ TEST(FibreMember, TheLargestStrainIsThatOfTheOuterFibres) {
 }
 
 TEST(FibreMember, ArchivedStatesContinueBitwise) {
-  const FibreMember member = member_of(reinforced(4), {.geometry = MemberGeometry::corotational}, 3);
+  const FibreMember member = member_of(reinforced(4), {.geometry = FrameGeometry::corotational}, 3);
   std::mt19937 random(5);
   FibreMember::State state = member.undeformed();
   FibreMember::Iterate iterate;

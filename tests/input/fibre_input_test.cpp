@@ -203,7 +203,7 @@ TEST(FibreInput, MembersYieldByTheirFibres) {
     EXPECT_TRUE(all.frame.beam(each.member).section().fibres);
     EXPECT_EQ(each.options->rule.points.size(), 5u);
     EXPECT_EQ(each.options->formulation, MemberFormulation::force);
-    EXPECT_EQ(each.options->geometry, MemberGeometry::corotational);
+    EXPECT_EQ(each.options->geometry, FrameGeometry::corotational);
     EXPECT_TRUE(std::isinf(each.options->shear_stiffness_z));
   }
   const FrameModel columns =

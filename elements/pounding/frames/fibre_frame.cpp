@@ -28,15 +28,6 @@ constexpr double at_equilibrium = 1e-10;
 // Lower bound of the strain to which changes are relative, far below cracking.
 constexpr double smallest_strain = 1e-6;
 
-MemberGeometry geometry_of(FrameGeometry geometry) {
-  switch (geometry) {
-    case FrameGeometry::linear: return MemberGeometry::linear;
-    case FrameGeometry::p_delta: return MemberGeometry::p_delta;
-    case FrameGeometry::corotational: return MemberGeometry::corotational;
-  }
-  return MemberGeometry::linear;
-}
-
 }  // namespace
 
 /// Accepted states of all members, their iterates at these states and in the step.
@@ -54,17 +45,7 @@ struct FibreFrame::States final : TangentForces::Motion {
       all.segment<6>(6 * static_cast<Eigen::Index>(i)) = iterates[i].linearized_forces();
     return all;
   }
-  void archive(Archive& archive) override {
-    archive(accepted, forces[0], forces[1], forces[2]);
-    for (FibreMember::Iterate& iterate : begin) {
-      archive.raw(iterate.forces.data(), sizeof iterate.forces);
-      archive.raw(iterate.deformations.data(), sizeof iterate.deformations);
-      archive.raw(iterate.residual.data(), sizeof iterate.residual);
-      archive.raw(iterate.stiffness.data(), sizeof iterate.stiffness);
-      archive(iterate.change, iterate.slow);
-      archive.raw(iterate.sections.data(), iterate.sections.size() * sizeof(FibreMember::Iterate::Section));
-    }
-  }
+  void archive(Archive& archive) override { archive(accepted, begin, forces[0], forces[1], forces[2]); }
 
   double largest_strain(const std::vector<Member>& members) const {
     double largest = 0;
@@ -103,7 +84,7 @@ void FibreFrame::take_members(const FrameModel& model, const AssembledFrame& ass
     if (frame.fixed_end_forces(number, model.has_gravity()).any())
       refuse(what + "a member of fibres has no load between its ends; divide it into parts, or load its nodes");
     FibreMemberOptions own = *fibres.options;
-    own.geometry = geometry_of(model.geometry);
+    own.geometry = model.geometry;
     own.axial_force = std::exchange(options.axial_force, 0);
     numbers_.push_back(number);
     members_.push_back({FibreMember(assembled.positions[start], assembled.positions[end], options,
@@ -244,30 +225,23 @@ Eigen::Matrix3d FibreFrame::axes(int member, const VectorXd& q) const {
   return of.turning ? of.turning->axes(of.unknowns.displacements(q)) : of.beam.axes();
 }
 
-double FibreFrame::elastic_energy(const VectorXd& q) const {
-  double sum = 0.5 * q.dot(others_ * q) - load_.dot(q);
+// Energies relative to the undeformed state, at total displacements q.
+TangentForces::Energy FibreFrame::energy_of(const States& states, const VectorXd& q) const {
+  Energy sum{0.5 * q.dot(others_ * q) - load_.dot(q), 0};
   for (const Elastic& member : elastic_)
-    if (member.turning) sum += member.turning->evaluate(member.unknowns.displacements(q)).energy;
-  for (const Member& member : members_) sum += member.beam.potential(member.unknowns.displacements(q));
-  return sum;
-}
-
-TangentForces::Energy FibreFrame::energy(const Motion& motion, const VectorXd& u) const {
-  const States& states = static_cast<const States&>(motion);
-  Energy sum{elastic_energy(rest_ + u) - energy_at_rest_.stored, -energy_at_rest_.dissipated};
+    if (member.turning) sum.stored += member.turning->evaluate(member.unknowns.displacements(q)).energy;
   for (std::size_t i = 0; i < members_.size(); ++i) {
-    const double stored = members_[i].beam.stored(states.accepted[i]);
-    sum.stored += stored;
-    sum.dissipated += members_[i].beam.dissipated(states.accepted[i], stored);
+    const FibreMember& beam = members_[i].beam;
+    const double stored = beam.stored(states.accepted[i]);
+    sum.stored += stored + beam.potential(members_[i].unknowns.displacements(q));
+    sum.dissipated += beam.dissipated(states.accepted[i], stored);
   }
   return sum;
 }
 
-long FibreFrame::fibres() const {
-  long sum = 0;
-  for (const Member& member : members_)
-    sum += static_cast<long>(member.beam.section().fibres().size() * member.beam.rule().points.size());
-  return sum;
+TangentForces::Energy FibreFrame::energy(const Motion& motion, const VectorXd& u) const {
+  const Energy sum = energy_of(static_cast<const States&>(motion), rest_ + u);
+  return {sum.stored - energy_at_rest_.stored, sum.dissipated - energy_at_rest_.dissipated};
 }
 
 // Newton's method at this load from the accepted state.
@@ -310,12 +284,7 @@ void FibreFrame::load_slowly(const VectorXd& load) {
   }
   begin_step(states);
   at_rest_ = std::make_shared<const States>(states);
-  energy_at_rest_.stored = elastic_energy(rest_);
-  for (std::size_t i = 0; i < members_.size(); ++i) {
-    const double stored = members_[i].beam.stored(states.accepted[i]);
-    energy_at_rest_.stored += stored;
-    energy_at_rest_.dissipated += members_[i].beam.dissipated(states.accepted[i], stored);
-  }
+  energy_at_rest_ = energy_of(states, rest_);
 }
 
 }  // namespace pounding

@@ -5,7 +5,6 @@
 #include <Eigen/SparseCore>
 #include <memory>
 #include <optional>
-#include <span>
 #include <vector>
 
 #include <pounding/frames/corotational.hpp>
@@ -42,11 +41,6 @@ class FibreFrame final : public TangentForces {
   /// Local axes of an elastic member, rotated with it, as rows.
   Eigen::Matrix3d axes(int member, const Eigen::VectorXd& q) const;
 
-  /// Members of fibres, by their number in the frame.
-  std::span<const int> members() const { return numbers_; }
-  /// Number of fibres of all sections.
-  long fibres() const;
-
  private:
   struct States;
   struct Member {
@@ -64,7 +58,7 @@ class FibreFrame final : public TangentForces {
   bool find_equilibrium(States& states, Eigen::VectorXd& q, const Eigen::VectorXd& load) const;
   double add(States& states, const Eigen::VectorXd& q, Eigen::VectorXd& force,
              Eigen::SparseMatrix<double>& tangent) const;
-  double elastic_energy(const Eigen::VectorXd& q) const;
+  Energy energy_of(const States& states, const Eigen::VectorXd& q) const;
 
   std::vector<int> numbers_;
   std::vector<Member> members_;

@@ -96,12 +96,12 @@ FibreMember::FibreMember(const Eigen::Vector3d& start_node, const Eigen::Vector3
   if (!options.start_releases.empty() || !options.end_releases.empty())
     refuse("a fibre member has no releases; add a hinge between its end and the node");
   if (options.axial_force != 0) refuse("a fibre member has its axial force at rest in the options of its fibres");
-  if (options_.axial_force != 0 && options_.geometry != MemberGeometry::p_delta)
+  if (options_.axial_force != 0 && options_.geometry != FrameGeometry::p_delta)
     refuse("an axial force at rest needs the geometry p_delta");
   const Beam line(start_node, end_node, {.area = 1, .inertia_y = 1}, {.young = 1}, options);
   length_ = line.length();
   to_local_ = line.to_local();
-  if (options_.geometry == MemberGeometry::corotational) corotation_.emplace(line, start_node, end_node);
+  if (options_.geometry == FrameGeometry::corotational) corotation_.emplace(line, start_node, end_node);
 
   const bool by_forces = options_.formulation == MemberFormulation::force;
   options_.rule.check();

@@ -10,6 +10,7 @@
 #include <pounding/core/archive.hpp>
 #include <pounding/frames/beam.hpp>
 #include <pounding/frames/corotation.hpp>
+#include <pounding/frames/frame_model.hpp>
 #include <pounding/frames/integration_rule.hpp>
 #include <pounding/sections/fibre_section.hpp>
 
@@ -18,16 +19,13 @@ namespace pounding {
 /// Interpolation along the member: of forces, exact for nodal loads, or of displacements, by cubic polynomials.
 enum class MemberFormulation { force, displacement };
 
-/// Relation between the displacements of the nodes and the deformations of a member. linear: small displacements.
-/// p_delta: also the constant axial force at rest N on the inclined chord, with the potential N t^2/(2 L) of the
-/// transverse relative displacement t. corotational: large rotations and small deformations, see Corotation.
-enum class MemberGeometry { linear, p_delta, corotational };
-
 /// Rule, formulation and geometry of a fibre member, and its elastic stiffnesses.
 struct FibreMemberOptions {
   IntegrationRule rule = lobatto(5);
   MemberFormulation formulation = MemberFormulation::force;
-  MemberGeometry geometry = MemberGeometry::linear;
+  /// p_delta: the constant axial force at rest N acts on the inclined chord, with the potential N t^2/(2 L) of the
+  /// transverse relative displacement t. corotational: large rotations and small deformations, see Corotation.
+  FrameGeometry geometry = FrameGeometry::linear;
   double axial_force = 0;  ///< at rest, for p_delta; tension > 0 [N]
   /// G As along local y and z [N]; only the formulation by forces has shear deformation.
   double shear_stiffness_y = std::numeric_limits<double>::infinity();
@@ -89,6 +87,8 @@ class FibreMember {
     std::vector<double> times;                  ///< of recorded stages, since the beginning of the step
     std::vector<sections::Deformation> stages;  ///< section deformations, stage by stage
 
+    /// Without stages. Reads into an iterate of the same member after begin().
+    void archive(Archive& archive);
     /// Basic forces at which the linearized residuals are zero.
     Vector6 linearized_forces() const { return forces + stiffness * residual; }
   };

@@ -11,6 +11,16 @@
 
 namespace pounding {
 
+void FibreMember::Iterate::archive(Archive& archive) {
+  for (auto* const values : {&forces, &deformations, &residual}) archive.raw(values->data(), sizeof *values);
+  archive.raw(stiffness.data(), sizeof stiffness);
+  archive(change, slow);
+  for (Section& section : sections) {
+    archive(section.deformation, section.change, section.residual);
+    archive.raw(section.flexibility.data(), sizeof section.flexibility);
+  }
+}
+
 void FibreMember::State::archive(Archive& archive) {
   for (sections::FibreStates& states : fibres)
     for (auto& lanes : states) std::visit([&](auto& of_material) { of_material.archive(archive); }, lanes);

@@ -45,9 +45,7 @@ class FibreMembersReader {
     const std::string name = rule ? rule->as_choice() : "lobatto";
     hinge_length_ = node_.find("hinge_length");
     if (const auto regularized = node_.find("regularized")) regularized->as_choice();
-    options_.geometry = model_.geometry == FrameGeometry::p_delta        ? MemberGeometry::p_delta
-                        : model_.geometry == FrameGeometry::corotational ? MemberGeometry::corotational
-                                                                         : MemberGeometry::linear;
+    options_.geometry = model_.geometry;
     if (name == "hinge_radau") {
       if (!hinge_length_) node_.fail("hinge_radau needs a plastic hinge length; type hinge_length: 0.3 m");
       if (points) points->fail_at_key("hinge_radau defines the number of sections; leave points out");
