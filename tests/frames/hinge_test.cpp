@@ -220,7 +220,7 @@ TEST(Hinges, YieldAtTwoMoments) {
     }
 }
 
-// So has a law with parameters of its own for hogging: the maximum moment is 20 mrad after yield sagging, 50 mrad
+// The same for a law with separate parameters for hogging: the maximum moment is 20 mrad after yield sagging, 50 mrad
 // hogging.
 TEST(Hinges, DeteriorateByParametersOfTheirSides) {
   hysteresis::ImkBilinear law;

@@ -56,7 +56,7 @@ typename L::State follow(const L& law, const std::vector<double>& path) {
   return kept;
 }
 
-/// Forces at the turning points of a path, each stretch at once and in three parts [N]; the loss is work minus stored.
+/// Forces at the turning points of a path, each stretch in one part and in three [N]; the loss is work minus stored.
 template <class L>
 void expect_loop(const L& law, const std::vector<double>& path, const std::vector<double>& forces, double allowed) {
   law.check();

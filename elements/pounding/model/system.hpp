@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -81,6 +82,10 @@ struct System {
   int spring_count() const;
   int links() const { return static_cast<int>(gap_jacobian.cols()); }
 
+  /// True if any group has forces with a memory.
+  bool has_tangents() const {
+    return std::ranges::any_of(groups, [](const Group& group) { return group.tangent; });
+  }
   /// True if the modal damping of this group has a matrix.
   bool has_modal_matrix(const Group& group) const;
   /// C without Rayleigh damping and without modal damping that has no matrix.

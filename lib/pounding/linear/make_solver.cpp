@@ -1,6 +1,5 @@
 #include <pounding/linear/make_solver.hpp>
 
-#include <algorithm>
 #include <utility>
 #include <vector>
 
@@ -12,10 +11,6 @@
 namespace pounding::petsc {
 
 namespace {
-
-bool has_tangents(const System& system) {
-  return std::ranges::any_of(system.groups, [](const Group& group) { return group.tangent; });
-}
 
 // Structures with a memory next to the others in natural modes.
 std::unique_ptr<StructureSolver> make_tangent_solver(const System& system) {
@@ -31,7 +26,7 @@ std::unique_ptr<StructureSolver> make_tangent_solver(const System& system) {
 }  // namespace
 
 std::unique_ptr<StructureSolver> make_solver(const System& system, SolverKind kind, MPI_Comm comm) {
-  if (has_tangents(system)) return make_tangent_solver(system);
+  if (system.has_tangents()) return make_tangent_solver(system);
   const bool modal = kind == SolverKind::modal ||
                      (kind == SolverKind::automatic && ModalSolver::max_dynamic_dofs(system) <= small_structure);
   if (modal) return std::make_unique<ModalSolver>(system);

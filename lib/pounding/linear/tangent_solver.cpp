@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <pounding/linear/system_checks.hpp>
 #include <pounding/structures/massless.hpp>
 
 namespace pounding {
@@ -43,7 +44,7 @@ std::unique_ptr<Eigen::SimplicialLDLT<SparseMatrix>> factor_of(const SparseMatri
 
 TangentSolver::TangentSolver(const System& system, std::unique_ptr<StructureSolver> linear)
     : StructureSolver(system), linear_(std::move(linear)) {
-  const int shared = linear_size();
+  petsc::require_masses(system, system.mass.diagonal());
   if (linear_) layout_ = linear_->layout();
   layout_.group_masses.resize(system.groups.size());
   for (std::size_t k = 0; k < system.groups.size(); ++k)
@@ -59,7 +60,6 @@ TangentSolver::TangentSolver(const System& system, std::unique_ptr<StructureSolv
     layout_.group_masses[b->group] = masses.segment(b->first, b->size).sum();
     layout_.segments.push_back({b->coordinate, b->size, b->group});
   }
-  if (size == shared) throw std::logic_error("no structure has tangent forces");
 }
 
 void TangentSolver::add_block(const System& system, int number) {
@@ -87,14 +87,6 @@ void TangentSolver::add_block(const System& system, int number) {
         group.by_stiffness * condensed(b.stiffness, b.dynamic, b.massless, b.massless_stiffness.get(), b.coupling);
   b.closing = rows_of(system.gap_jacobian, b.first, b.size);
   b.outputs = rows_of(system.outputs, b.first, b.size);
-  for (int i = 0; i < b.closing.outerSize(); ++i)
-    for (SparseMatrix::InnerIterator it(b.closing, i); it; ++it)
-      if (it.value() != 0 && std::ranges::binary_search(b.massless, it.row()))
-        throw std::invalid_argument(fmt::format("link {} acts on massless degree of freedom {}", i, it.row()));
-  for (const int i : b.massless)
-    for (SparseMatrix::InnerIterator it(b.damping, i); it; ++it)
-      if (it.value() != 0)
-        throw std::invalid_argument(fmt::format("a dashpot acts on massless degree of freedom {}", b.first + i));
   blocks_.push_back(std::move(made));
 }
 

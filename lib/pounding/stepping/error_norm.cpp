@@ -30,7 +30,6 @@ double allowed_error(const Scheme& scheme, double tolerance) {
 
 ErrorNorm::ErrorNorm(const Equations& equations, const Scheme& scheme, double tolerance)
     : equations_(equations),
-      tolerance_(tolerance),
       allowed_by_tolerance_(allowed_error(scheme, tolerance)),
       allowed_(std::max(allowed_by_tolerance_, rounding)) {
   const System& system = equations.system;

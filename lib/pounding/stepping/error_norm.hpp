@@ -40,8 +40,6 @@ class ErrorNorm {
   double relative_size(const Eigen::VectorXd& change, const Eigen::VectorXd& displacement) const;
   /// Allowed relative error of one step.
   double allowed() const { return allowed_; }
-  /// Smallest reversal of a fibre inside a step that is followed, relative to its largest strain so far.
-  double min_reversal() const { return 0.5 * tolerance_; }
   /// Kinetic energy at the minimum velocities used as error scales [J].
   double min_energy() const;
   /// Mass-weighted inner product.
@@ -59,7 +57,6 @@ class ErrorNorm {
   double stretch(int slip, const Instant& x) const;
 
   const Equations& equations_;
-  const double tolerance_;
   const double allowed_by_tolerance_;  // relative error of one step
   double allowed_;                     // current
   MotionScales scales_;

@@ -147,15 +147,16 @@ class Esdirk4Scheme final : public TimeScheme {
       free_displacement_ = x.motion.col(u) + ci * h * x.motion.col(v);
       for (int j = 0; j < i; ++j) free_displacement_ += h * h * squared[i][j] * acceleration(j);
       if (t.short_motions) free_displacement_ += eq_.short_motions.shift(missed_.u);
-      guess_ = acceleration(i - 1);
-      const bool solved =
-          eq_.tangents.any()
-              ? solver_.solve_with_tangents(stage, free_displacement_, free_motion, acceleration(i), t.end.force)
-              : solver_.solve_with_pseudo_forces(stage, free_displacement_, guess_, free_motion, acceleration(i),
-                                                 t.end.force);
-      if (!solved) return false;
-      if (eq_.tangents.any())
+      if (eq_.tangents.any()) {
+        if (!solver_.solve_with_tangents(stage, free_displacement_, free_motion, acceleration(i), t.end.force))
+          return false;
         eq_.tangents.record_stage(free_displacement_ + stage.by_u * acceleration(i), ci * h, middle);
+      } else {
+        guess_ = acceleration(i - 1);
+        if (!solver_.solve_with_pseudo_forces(stage, free_displacement_, guess_, free_motion, acceleration(i),
+                                              t.end.force))
+          return false;
+      }
     } else if (!solver_.solve(stage, free_motion, acceleration(i), t.end.force)) {
       return false;
     }

@@ -101,7 +101,7 @@ class GeneralizedAlphaScheme final : public TimeScheme {
       const double begin = x.by_ground(i, a), end = t.end.by_ground(i, a);
       return g + (end + (alpha_m - alpha_f) * (begin - end));
     };
-    if (eq_.has_pseudo_forces()) {
+    if (eq_.pseudo_forces.any()) {
       r_ -= (1 - alpha_f) * x.pseudo_force;
       guess_ = Eigen::Map<const Eigen::VectorXd>(a0, n);
       free_displacement_ = x.motion.col(u) + h * x.motion.col(v) + by_c_in_u * guess_;
@@ -129,7 +129,7 @@ class GeneralizedAlphaScheme final : public TimeScheme {
       t.end.motion.col(v) += eq_.short_motions.shift(missed_.v);
     }
     eq_.hold_end(x, t);
-    if (eq_.has_pseudo_forces()) eq_.pseudo_force(t.end.motion.col(u), t.end.pseudo_force);
+    if (eq_.pseudo_forces.any()) eq_.pseudo_force(t.end.motion.col(u), t.end.pseudo_force);
     if (carries)
       balance_end(t.end);
     else
@@ -166,7 +166,7 @@ class GeneralizedAlphaScheme final : public TimeScheme {
     auto balanced = end.motion.col(a);
     const Eigen::VectorXd& push = eq_.supports.push(end.ground);
     balanced = -push - end.motion.col(ku) - end.motion.col(cv);
-    if (eq_.has_pseudo_forces()) balanced -= end.pseudo_force;
+    if (eq_.pseudo_forces.any()) balanced -= end.pseudo_force;
     if (stages_.forced()) eq_.solver.add_forces(-1, end.force, balanced);
     eq_.solver.accelerate(balanced);
     eq_.solver.recover(balanced);

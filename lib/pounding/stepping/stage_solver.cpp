@@ -38,15 +38,10 @@ bool StageSolver::begin(const EffectiveMatrix& matrix, const std::optional<int>&
   return find_flexibility();
 }
 
-// True if the next changes are a small part of the allowed error. `change`: of the displacements in this iteration,
-// relative; `strain`: of the strains at its beginning.
-bool StageSolver::converges(double change, double strain) {
-  constexpr double part = 0.02;           // of the allowed error
-  constexpr double part_of_strain = 0.1;  // sections follow the displacements with smaller weights
-  const double ratio = last_change_ > 0 ? std::min(change / last_change_, 1.0) : 1;
-  const double remaining = std::max(change, part_of_strain * ratio * strain);
-  if (iteration_ > 1) contraction_ = std::clamp(ratio, 0.5 * contraction_, 0.9);
-  return contraction_ / (1 - contraction_) * remaining <= part * norm_.allowed();
+// True if all changes that follow this relative one are together a small part of the allowed error.
+bool StageSolver::is_solved(double change) const {
+  constexpr double part = 0.02;
+  return contraction_ / (1 - contraction_) * change <= part * norm_.allowed();
 }
 
 bool StageSolver::find_flexibility() {

@@ -2,6 +2,7 @@
 /// One stage of a step: one structural solve followed by the link forces, repeated if there are pseudo-forces.
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <vector>
@@ -111,9 +112,8 @@ class StageSolver {
                            Eigen::Ref<Eigen::VectorXd> r, Eigen::VectorXd& force) {
     const Eigen::VectorXd others = r;
     Eigen::VectorXd displacement = free_displacement;
-    double strain = 0;
-    last_change_ = 0;
-    for (iteration_ = 0; iteration_ < max_newton_iterations; ++iteration_) {
+    double strain = 0, last_change = 0;
+    for (int iteration = 0; iteration < max_newton_iterations; ++iteration) {
       equations_.elastic_pseudo_force(displacement, pseudo_force_);
       equations_.tangents.add_pseudo_force(free_displacement, pseudo_force_);
       r = others - stage.weight * pseudo_force_;
@@ -123,10 +123,14 @@ class StageSolver {
       const bool has_change = linearized_.size() > 0;
       const double change = has_change ? norm_.relative_size(displacement - linearized_, displacement) : 0;
       if (!std::isfinite(change)) return false;
-      if (iteration_ > 0 && converges(change, strain)) return true;
-      last_change_ = change;
+      if (iteration > 0) {
+        const double ratio = last_change > 0 ? std::min(change / last_change, 1.0) : 1;
+        if (iteration > 1) contraction_ = std::clamp(ratio, 0.5 * contraction_, 0.9);
+        if (is_solved(std::max(change, part_of_strain * ratio * strain))) return true;
+      }
+      last_change = change;
       strain = equations_.tangents.linearize(displacement);
-      equations_.tangents.factorize();
+      equations_.tangents.set_tangents();
       linearized_ = displacement;
       if (!find_flexibility()) return false;
     }
@@ -156,7 +160,7 @@ class StageSolver {
 
  private:
   bool find_flexibility();
-  bool converges(double change, double strain);
+  bool is_solved(double change) const;
   bool condense(const Stage& stage, Eigen::VectorXd& force, Eigen::Ref<Eigen::VectorXd> x);
 
   // Reduction of the closing acceleration of active link number k by the active forces.
@@ -175,11 +179,11 @@ class StageSolver {
   static constexpr int max_newton_iterations = 40;
   long repetitions_ = 0;
   static constexpr double first_contraction = 0.3;
-  // Of Newton's method: ratio of successive changes, carried from stage to stage of a step; last relative change of the
-  // displacements; those of the last linearization, empty in a new step.
-  double contraction_ = first_contraction, last_change_ = 0;
+  static constexpr double part_of_strain = 0.1;  // sections follow the displacements with smaller weights
+  // Of Newton's method: ratio of successive changes, carried from stage to stage of a step; displacements of the last
+  // linearization, empty in a new step.
+  double contraction_ = first_contraction;
   Eigen::VectorXd linearized_;
-  int iteration_ = 0;
   int failed_link_ = -1;
   std::vector<int> active_;
   Eigen::VectorXd held_push_,

@@ -12,7 +12,7 @@ namespace {
 
 const StepperOptions& checked(const System& system, const StepperOptions& options) {
   const bool is_esdirk4 = options.scheme.kind == Scheme::Kind::esdirk4;
-  if (!is_esdirk4 && std::ranges::any_of(system.groups, [](const Group& group) { return group.tangent; }))
+  if (!is_esdirk4 && system.has_tangents())
     throw std::invalid_argument(
         "members with fibres were given with the integrator generalized_alpha; they need esdirk4");
   // The trapezoidal rule of generalized-alpha misses reversals of the slip within a step.

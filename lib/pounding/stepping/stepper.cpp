@@ -10,6 +10,13 @@
 #include <utility>
 
 namespace pounding {
+namespace {
+
+// Smallest reversal of a fibre inside a step that is followed, relative to its largest strain: this part of the
+// tolerance.
+constexpr double part_of_reversal = 0.5;
+
+}  // namespace
 
 Stepper::Stepper(const System& system, StructureSolver& solver, const StepperOptions& options)
     : StepView(system, solver, options) {}
@@ -197,7 +204,8 @@ void Stepper::accept() {
   troublesome_link_ = norm_.worst_link();
   if (equations_.springs.any() && !kept.springs_stay) equations_.ranges.read();
   ledger_.add_step(equations_, x, kept, described_.steps);
-  const bool members_reversed = equations_.tangents.accept(y.motion.col(Instant::u), norm_.min_reversal());
+  const bool members_reversed =
+      equations_.tangents.accept(y.motion.col(Instant::u), part_of_reversal * options_.tolerance);
   norm_.learn(kept);
   bool ground_jumps = false;
   if (y.time >= next_break()) {

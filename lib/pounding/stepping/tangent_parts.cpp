@@ -78,9 +78,9 @@ void TangentParts::settle(Eigen::Ref<VectorXd> u) {
 void TangentParts::begin_step() {
   for (Part& part : parts_) {
     part.forces.begin_step(*part.motion);
-    part.last = part.middle = part.accepted;
+    part.last = part.accepted;
   }
-  factorize();
+  set_tangents();
 }
 
 double TangentParts::linearize(Eigen::Ref<const VectorXd> u) {
@@ -92,7 +92,7 @@ double TangentParts::linearize(Eigen::Ref<const VectorXd> u) {
   return strain;
 }
 
-void TangentParts::factorize() {
+void TangentParts::set_tangents() {
   for (const Part& part : parts_) solver_.set_tangent(part.group, part.last.tangent);
 }
 
@@ -179,7 +179,7 @@ void TangentParts::archive(Archive& archive) {
     archive(values);
     part.accepted.tangent = part.last.tangent;
     std::ranges::copy(values, part.accepted.tangent.valuePtr());
-    part.last = part.middle = part.accepted;
+    part.last = part.accepted;
   }
 }
 

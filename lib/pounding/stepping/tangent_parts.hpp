@@ -29,8 +29,8 @@ class TangentParts {
   void begin_step();
   /// One iteration at displacements u; returns the largest relative change of strain (TangentForces::linearize).
   double linearize(Eigen::Ref<const Eigen::VectorXd> u);
-  /// Factorizes the tangents of the last linearize() in the matrix of the step.
-  void factorize();
+  /// Sets the tangents of the last linearize() in the matrix of the step.
+  void set_tangents();
   /// Adds e at displacements u by the last linearization, or by that of the stage at mid-step.
   void add_pseudo_force(Eigen::Ref<const Eigen::VectorXd> u, Eigen::VectorXd& e) const;
   void add_middle(Eigen::Ref<const Eigen::VectorXd> u, Eigen::VectorXd& e) const;
